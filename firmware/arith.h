@@ -98,6 +98,22 @@ static inline int32_t lmb_mul_q16(int32_t a, uint32_t b)
     return (a >> 16) * (int32_t)b + (int32_t)(((uint32_t)(a & 0xffff) * b) >> 16);
 }
 
+/* floor(a * b / 2^15) with b in int16_t, in two 32-bit products. |a * b| must stay under 2^46. */
+static inline int32_t lmb_mul_q15(int32_t a, int32_t b)
+{
+    return (a >> 16) * b * 2 + (((a & 0xffff) * b) >> 15);
+}
+
+/* As lmb_mul_shr, but what does not fit int32_t becomes its nearest end. */
+static inline int32_t lmb_mul_shr_sat(int32_t a, int32_t b, unsigned s)
+{
+    int64_t r = ((int64_t)a * b) >> s;
+    return r > INT32_MAX ? INT32_MAX : r < INT32_MIN ? INT32_MIN : (int32_t)r;
+}
+
+/* Whether a * b < c * d, of the whole 64-bit products. */
+static inline bool lmb_product_less(int32_t a, int32_t b, int32_t c, int32_t d) { return (int64_t)a * b < (int64_t)c * d; }
+
 #else /* the checked twin */
 
 typedef struct lmb_counts {
@@ -183,6 +199,23 @@ static inline int32_t lmb_mul_q16_(int64_t a, int64_t b, const char *f, int l)
     lmb_checked_(b, 0, 65535, "mul_q16: second factor", a, b, f, l);
     return lmb_i32_((a * b) >> 16, "mul_q16", a, b, f, l);
 }
+static inline int32_t lmb_mul_q15_(int64_t a, int64_t b, const char *f, int l)
+{
+    lmb_count.multiplications++;
+    lmb_checked_(b, INT16_MIN, INT16_MAX, "mul_q15: second factor", a, b, f, l);
+    return lmb_i32_((a * b) >> 15, "mul_q15", a, b, f, l);
+}
+static inline int32_t lmb_mul_shr_sat(int32_t a, int32_t b, unsigned s)
+{
+    int64_t r = ((int64_t)a * b) >> s;
+    lmb_count.multiplications++;
+    return r > INT32_MAX ? INT32_MAX : r < INT32_MIN ? INT32_MIN : (int32_t)r;
+}
+static inline bool lmb_product_less(int32_t a, int32_t b, int32_t c, int32_t d)
+{
+    lmb_count.multiplications += 2;
+    return (int64_t)a * b < (int64_t)c * d;
+}
 
 #define lmb_add(a, b) lmb_add_((a), (b), __FILE__, __LINE__)
 #define lmb_sub(a, b) lmb_sub_((a), (b), __FILE__, __LINE__)
@@ -195,6 +228,7 @@ static inline int32_t lmb_mul_q16_(int64_t a, int64_t b, const char *f, int l)
 #define lmb_mul_shr(a, b, s) lmb_mul_shr_((a), (b), (s), __FILE__, __LINE__)
 #define lmb_mul_hi(a, b) lmb_mul_hi_((a), (b))
 #define lmb_mulu_hi(a, b) lmb_mulu_hi_((a), (b))
+#define lmb_mul_q15(a, b) lmb_mul_q15_((a), (b), __FILE__, __LINE__)
 #define lmb_mul_q16(a, b) lmb_mul_q16_((a), (b), __FILE__, __LINE__)
 
 #endif

@@ -84,42 +84,58 @@ typedef struct lmb_matrix {
     lmb_vec row[3];
 } lmb_matrix;
 
-/* Exact dot product of two unit vectors, Q4.28. |result| < 2^30. */
+/* Exact dot product of two unit vectors, Q4.28. |result| < 2^28 * 1.001. Vectors up to 1.41 long do not overflow. */
 int32_t lmb_dot_q28(lmb_vec a, lmb_vec b);
 
 /* Half the squared distance of two unit vectors, 1 - cos of the angle between them, UQ4.28 in [0, 2]. Keeps its relative
- * precision when the angle is small, where 1 - a.b cancels. Exact but for one rounding (towards zero, 2^-28). */
+ * precision when the angle is small, where 1 - a.b cancels. Exact but for one rounding (towards zero, 2^-28). Vectors up to
+ * 1.41 long do not overflow. */
 int32_t lmb_half_distance_q28(lmb_vec a, lmb_vec b);
 
 /* 1/sqrt(x) of a normalised argument.
  *   x       UQ2.30 in [0.25, 1), i.e. 0x10000000...0x3fffffff; outside: unspecified value, no fault
- *   return  UQ2.30 in (1, 2]
- *   error   at most LMB_RSQRT_MAX_ERROR relative (hosttest/test_vec.c)
- *   cost    table of 96 entries, two steps of Newton's method, multiplications only */
-#define LMB_RSQRT_MAX_ERROR (1.0 / (1 << 26))
+ *   return  UQ2.30 in (1 - 2^-26, 2): it fits int32_t
+ *   error   at most LMB_RSQRT_MAX_ERROR relative, either way (every argument, hosttest/test_vec.c)
+ *   cost    table of 96 bytes, two steps of Newton's method in six 32-bit products */
+#define LMB_RSQRT_MAX_ERROR (0.75 / (1L << 26))
 uint32_t lmb_rsqrt_q30(uint32_t x);
 
-/* (x, y, z) scaled to unit length, without division or square root; components any int32 with |.| < 2^30.
- * The zero vector gives (0, 0, 16384), so that the result is always a unit vector. Components are rounded to nearest. */
+/* (x, y, z) scaled to unit length, without division or square root.
+ *   x, y, z  any one scale, |.| < 2^30 (-2^30 passes as well); a single unit will do: nothing is lost for small ones
+ *   return   unit vector, Q2.14; the zero vector gives (0, 0, 16384). Axes stay axes exactly
+ *   error    of each component at most LMB_NORMALISE_MAX_ERROR, of which 0.5 / 16384 is the rounding to nearest. Beside a tie
+ *            the rounding may differ between v and -v
+ *   cost     lmb_rsqrt_q30 and 15 32-bit products */
+#define LMB_NORMALISE_MAX_ERROR (0.501 / 16384)
 lmb_vec lmb_normalise(int32_t x, int32_t y, int32_t z);
 
-/* m times v, rounded to nearest, saturated at int16. */
+/* m times v, rounded to nearest, halves up, saturated at int16. v: any; m: rows and columns up to 1.01 long, or sums overflow. */
 lmb_vec lmb_rotate(const lmb_matrix *m, lmb_vec v);
 
-/* The transpose of m times v: the inverse rotation. */
+/* m times v with all 14 fraction bits: exact, |out| < 2^30. v: any; rows of m up to 1.01 long. */
+void lmb_rotate_wide(const lmb_matrix *m, lmb_vec v, int32_t out[3]);
+
+/* The transpose of m times v: the inverse rotation. Otherwise as lmb_rotate. */
 lmb_vec lmb_rotate_back(const lmb_matrix *m, lmb_vec v);
 
-/* Sine and cosine, Q2.14, of an angle in 1/65536 of a turn. Error at most LMB_SINE_MAX_ERROR. */
-#define LMB_SINE_MAX_ERROR (0.75 / 16384)
+/* Sine and cosine, Q2.14, of an angle in 1/65536 of a turn. Exact at quarter turns, exactly odd and even; error at most
+ * LMB_SINE_MAX_ERROR (every angle, hosttest/test_vec.c). */
+#define LMB_SINE_MAX_ERROR (0.56 / 16384)
 int32_t lmb_sin_q14(uint16_t angle);
 int32_t lmb_cos_q14(uint16_t angle);
 
-/* Rotation about x, then y, then z, by angles in 1/65536 of a turn, counter-clockwise seen from the axis' tip. */
+/* Rotation about x, then y, then z, by angles in 1/65536 of a turn, counter-clockwise seen from the axis' tip. Elements err at
+ * most LMB_ROTATION_MAX_ERROR, so rows are unit within 1.8 times and at right angles within 3.5 times that. */
+#define LMB_ROTATION_MAX_ERROR (0.75 / 16384)
 lmb_matrix lmb_rotation(uint16_t x, uint16_t y, uint16_t z);
 
-/* 1/x for x >= 1: x * result = 2^(31 + *shift) up to a relative error of LMB_RECIPROCAL_MAX_ERROR; result in (2^30, 2^31],
- * *shift = 31 - lmb_clz32(x). x = 0 is taken as 1. */
-#define LMB_RECIPROCAL_MAX_ERROR (1.0 / (1 << 28))
+/* 1/x, never above the true value.
+ *   x       1 to 2^32 - 1; 0 is taken as 1
+ *   return  in [2^30, 2^31); x * result = 2^(31 + *shift) (1 - e), 0 < e <= LMB_RECIPROCAL_MAX_ERROR
+ *           (every argument, hosttest/test_vec.c). A power of two gives slightly less than its true 2^31, too
+ *   shift   31 - lmb_clz32(x)
+ *   cost    table of 128 bytes, two steps of Newton's method in four 32-bit products */
+#define LMB_RECIPROCAL_MAX_ERROR (0.8 / (1L << 28))
 uint32_t lmb_reciprocal(uint32_t x, unsigned *shift);
 
 /* ------------------------------------------------------------------------------------------------------------------- the lobe */
@@ -127,23 +143,26 @@ uint32_t lmb_reciprocal(uint32_t x, unsigned *shift);
 /* Which polynomial stands for cos^n: the tuned one, or W_m of paper 000 with its argument clamped at zero. */
 enum lmb_lobe_kind { LMB_LOBE_TUNED, LMB_LOBE_W2, LMB_LOBE_W4, LMB_LOBE_W8, LMB_LOBE_W16 };
 
-/* A prepared lobe. s = alpha - slope * (1 - cos); then s <- s*s + lift once, then squarings - 1 times s <- s*s.
+/* A prepared lobe: s = alpha - slope * (1 - cos), clamped at zero, then up to four multiplications and one addition (lobe.h).
  * Fields may change without notice. */
 typedef struct lmb_lobe {
-    int32_t alpha_q30;   /* value of s at the centre */
-    uint16_t slope;      /* mantissa in [32768, 65535], or 0 */
-    int8_t slope_shift;  /* slope = mantissa * 2^(slope_shift - 15) per unit of 1 - cos; from -3 to 10 */
-    uint8_t squarings;   /* 0 to 4 */
-    int32_t lift_q30;    /* added after the first squaring */
-    uint16_t floor_q15;  /* s is clamped from below here, so that s*s + lift starts at zero and the curve stays monotone */
-    uint16_t shininess;  /* n */
+    int32_t alpha_q30;       /* s at the centre, up to 1.5; a multiple of 2^14 */
+    int32_t lift;            /* the addition: Q0.32 modulo 2^32 in the plain form, Q16.16 in the crossed one */
+    uint16_t slope;          /* mantissa in [32768, 65535] */
+    uint16_t floor_q15;      /* the lobe is zero where s is not above this */
+    uint16_t shininess;      /* n */
+    uint16_t error_uq16;     /* upper bound of |lobe - max(0, cos)^n| over all angles; 65535 for W_m, where none is promised */
+    int8_t slope_shift;      /* slope = mantissa * 2^(slope_shift - 15) per unit of 1 - cos; from -4 to 8 */
+    uint8_t multiplications; /* 0 to 4 */
+    bool crossed;            /* which form: see lobe.h */
 } lmb_lobe;
 
 #define LMB_SHININESS_MAX 1000
 
 /* Prepares a lobe for cos^n.
  *   n          1 to LMB_SHININESS_MAX
- *   tolerance  largest error that is good enough, UQ0.16; the fewest squarings that meet it are taken. 0: the most accurate
+ *   tolerance  largest error that is good enough, UQ0.16; the fewest multiplications that promise it are taken. 0: the most
+ *              accurate. W_m has nothing to choose and ignores it
  *   return     0 or LMB_ERROR_VALUE
  * The largest error over every n and every angle, integer arithmetic, tolerance 0, is LMB_LOBE_MAX_ERROR
  * (exhaustive, hosttest/test_lobe.c). */
@@ -186,6 +205,7 @@ enum lmb_step_kind {
 typedef struct lmb_look {
     lmb_lobe lobe;
     uint8_t model, step, lights;
+    uint8_t specular_on;     /* bit i: light i can make a highlight on this material */
     uint16_t ambient_q15[3]; /* r, g, b in UQ1.15 */
     struct lmb_look_light {
         lmb_vec direction, half;                  /* unit, in space */
@@ -241,34 +261,188 @@ void lmb_arc_start(const lmb_arc *arc, lmb_term *term, int32_t a_q30, int32_t ri
 
 /* ------------------------------------------------------------------------------------------------------------ triangles into spans */
 
-/* A corner on the screen. Corners beyond LMB_SCREEN_MAX are clipped before (lmb_mesh_next does it). */
+/* A corner on the screen. */
 typedef struct lmb_vertex {
-    int32_t x, y;   /* Q28.4 */
+    int32_t x, y;   /* Q28.4, at most LMB_SCREEN_MAX in magnitude */
     lmb_vec normal; /* unit, in the space of the rays */
     uint16_t depth;
 } lmb_vertex;
 
-/* Largest |x| and |y| of a corner, in 1/16 pixel. */
-#define LMB_SCREEN_MAX (32767 * 16)
+/* Largest |x| and |y| of a corner, in 1/16 pixel. Triangles that reach further are clipped before (lmb_mesh_next does it). */
+#define LMB_SCREEN_MAX (32767L * 16)
 
 /* Pixels left <= x < right, top <= y < bottom of the frame. */
 typedef struct lmb_window {
     int16_t left, top, right, bottom;
 } lmb_window;
 
-/* A run of pixels in one row with its terms at the first pixel's centre. */
+/* How the terms of a span run from pixel to pixel. */
+enum lmb_span_kind {
+    LMB_SPAN_FLAT,  /* terms are constant */
+    LMB_SPAN_PLANE, /* lmb_plane_step: f += d, d += c */
+    LMB_SPAN_ARC    /* lmb_arc_step */
+};
+
+/* A run of pixels in one row, its terms at the first pixel's centre. A light whose diffuse (specular) bit is not set adds nothing
+ * of that kind anywhere in the span, and its term is not written. */
 typedef struct lmb_span {
     int16_t x, y;
-    uint16_t length;                 /* at least 1 */
-    uint8_t kind;                    /* enum lmb_span_kind */
-    uint8_t lights;                  /* how many of diffuse[] and specular[] are in use */
-    uint8_t exponent[LMB_LIGHTS];    /* specular[i] holds s in Q2.30 divided by 2^exponent[i] */
-    lmb_arc arc;                     /* for LMB_SPAN_ARC */
-    lmb_term diffuse[LMB_LIGHTS];    /* N.L */
-    lmb_term specular[LMB_LIGHTS];   /* the lobe's argument s, or its value for LMB_MODEL_GOURAUD and LMB_MODEL_FLAT */
-    uint32_t depth;                  /* UQ16.16 */
-    int32_t depth_step;
+    uint16_t length;              /* pixels, at least 1 */
+    uint8_t kind;                 /* enum lmb_span_kind */
+    uint8_t diffuse_on;           /* bit i: diffuse[i] may be above zero */
+    uint8_t specular_on;          /* bit i: specular[i] may be above zero */
+    uint8_t exponent[LMB_LIGHTS]; /* specular[i] holds s / 2^exponent[i] */
+    lmb_arc arc;                  /* for LMB_SPAN_ARC */
+    lmb_term diffuse[LMB_LIGHTS]; /* N.L, Q2.30 */
+    lmb_term specular[LMB_LIGHTS]; /* gloss: the lobe's argument s; flat and gouraud: the lobe's value; Q2.30 */
+    lmb_term depth;               /* UQ0.16 in the upper half of Q2.30: depth.f >> 14; runs by lmb_plane_step */
 } lmb_span;
+
+/* One edge of a triangle, walked row by row without error: x is the first pixel whose centre is not left of the edge, gap how far
+ * that centre lies behind the edge, in pixels times modulus. */
+typedef struct lmb_edge {
+    int32_t x, step;
+    uint32_t gap, part, modulus;
+} lmb_edge;
+
+/* A normal that turns evenly along an edge, row by row. */
+typedef struct lmb_edge_arc {
+    lmb_arc arc;
+    lmb_term component[3];
+} lmb_edge_arc;
+
+/* A quadratic over the triangle at the reference column of the current row, in wrapping Q2.30: value, its first differences
+ * and its second differences. */
+typedef struct lmb_plane {
+    int32_t f, dx, dy, dxx, dxy, dyy;
+} lmb_plane;
+
+/* A triangle on its way into spans. Fields may change without notice. */
+typedef struct lmb_triangle {
+    const lmb_look *look;
+    const lmb_rays *rays;
+    lmb_window window;
+    const lmb_vertex *corner[3]; /* top, middle, bottom */
+    lmb_edge left, right;
+    int32_t y, y_switch, y_end; /* next row, first row below the middle corner, first row below the triangle */
+    bool long_left;             /* the edge from top to bottom is the left one */
+    uint8_t diffuse_on, specular_on, exponent[LMB_LIGHTS], kind;
+    int32_t column; /* reference column of the planes */
+    lmb_plane depth;
+    union {
+        struct {
+            lmb_plane diffuse[LMB_LIGHTS], specular[LMB_LIGHTS];
+        } plane;
+        struct {
+            lmb_edge_arc left, right;
+            uint16_t left_length, right_length;
+        } arc;
+    } u;
+} lmb_triangle;
+
+/* Sets a triangle up: culls, clips to the window, chooses nothing that the look has not chosen.
+ *   a, b, c  corners, counter-clockwise on the screen with y up; they must stay in place until the last span
+ *   return   false if there is nothing to draw: seen from behind, no area, outside the window, or a corner beyond
+ *            LMB_SCREEN_MAX */
+bool lmb_triangle_begin(lmb_triangle *triangle, const lmb_look *look, const lmb_rays *rays, const lmb_vertex *a,
+                        const lmb_vertex *b, const lmb_vertex *c, const lmb_window *window);
+
+/* The next span, top to bottom; false when there is none left. Every pixel of the triangle inside the window comes once. */
+bool lmb_triangle_next(lmb_triangle *triangle, lmb_span *span);
+
+/* --------------------------------------------------------------------------------------------------------- meshes into triangles */
+
+/* Where constant data live. Empty where flash is in the address space. */
+#ifndef LMB_FLASH
+#define LMB_FLASH
+#endif
+
+#define LMB_SCALE_MIN (-30)
+#define LMB_SCALE_MAX (-2) /* 8192 units: a quarter of what Q16.16 holds, so that sums of products do */
+
+/* A mesh, const and ready for flash; lmb-mesh writes it from a Wavefront OBJ file. */
+typedef struct lmb_mesh {
+    const lmb_vec *positions; /* mesh units */
+    const lmb_vec *normals;   /* unit, Q2.14, one per vertex */
+    const uint16_t *indices;  /* three per triangle, counter-clockwise seen from outside */
+    uint16_t vertices;
+    uint32_t triangles;
+    int8_t scale; /* a mesh unit is 2^scale units of space, LMB_SCALE_MIN to LMB_SCALE_MAX */
+} lmb_mesh;
+
+/* Where a mesh stands: turned first, then moved. */
+typedef struct lmb_pose {
+    lmb_matrix rotation;
+    int32_t x, y, z; /* Q16.16 */
+} lmb_pose;
+
+/* Projection onto the screen. Fields may change without notice. */
+typedef struct lmb_camera {
+    int32_t focal_q16; /* orthographic: pixels per unit; perspective: pixels per unit at distance one */
+    int32_t near_q16, far_q16;
+    int32_t x, y;        /* where the axis meets the screen, Q28.4 */
+    uint32_t depth_gain; /* UQ2.30: 2^shift / (far - near), or far / (far - near) */
+    uint8_t depth_shift;
+    bool perspective;
+} lmb_camera;
+
+/* Cameras for a frame of width x height pixels, axis through its middle.
+ *   focal_q16  UQ16.16, above 0: pixels per unit (orthographic) or focal length in pixels (perspective)
+ *   near, far  distances in front of the camera, Q16.16, near < far, far - near < 32768; perspective: near >= 256 (1/256 unit).
+ *              Nothing nearer than near is drawn; what is farther than far is drawn, at the greatest depth
+ *   return     0 or LMB_ERROR_VALUE */
+int lmb_camera_orthographic(lmb_camera *camera, int width, int height, int32_t focal_q16, int32_t near_q16, int32_t far_q16);
+int lmb_camera_perspective(lmb_camera *camera, int width, int height, int32_t focal_q16, int32_t near_q16, int32_t far_q16);
+
+/* A position in space, Q16.16. */
+typedef struct lmb_point {
+    int32_t x, y, z;
+} lmb_point;
+
+/* The position of vertex i of a mesh in space. Rounded to nearest. */
+lmb_point lmb_mesh_place(const lmb_mesh *mesh, const lmb_pose *pose, uint32_t i);
+
+/* Projects a point to the screen and its depth. False, and nothing written, if it lies nearer than the near plane or beyond
+ * LMB_SCREEN_MAX. Error at most LMB_PROJECT_MAX_ERROR pixels (hosttest/test_mesh.c). */
+#define LMB_PROJECT_MAX_ERROR 0.05
+bool lmb_project(const lmb_camera *camera, lmb_point p, lmb_vertex *vertex);
+
+/* Corners a polygon can have after clipping a triangle against the near plane and the four sides. */
+#define LMB_CLIP_MAX 8
+
+/* A walk over the visible triangles of a mesh. Fields may change without notice. */
+typedef struct lmb_walk {
+    const lmb_mesh *mesh;
+    const lmb_pose *pose;
+    const lmb_camera *camera;
+    const lmb_look *look;
+    const lmb_vertex *vertices;
+    const uint16_t *order;
+    lmb_window window;
+    lmb_rays rays;
+    uint32_t next;               /* triangle */
+    uint8_t corners, fan;        /* of the clipped polygon that is being handed out */
+    lmb_vertex polygon[LMB_CLIP_MAX];
+} lmb_walk;
+
+/* Starts a walk. Pointers must stay valid to its end.
+ *   vertices  NULL, or room for mesh->vertices corners that lmb_mesh_project has filled: without it each corner is projected
+ *             anew for each of its triangles
+ *   order     NULL, or the triangles' order from lmb_mesh_sort */
+void lmb_mesh_begin(lmb_walk *walk, const lmb_mesh *mesh, const lmb_pose *pose, const lmb_camera *camera, const lmb_look *look,
+                    const lmb_window *window, const lmb_vertex *vertices, const uint16_t *order);
+
+/* Begins the next triangle that may be seen; false at the end. */
+bool lmb_mesh_next(lmb_walk *walk, lmb_triangle *triangle);
+
+/* Projects all vertices of a mesh into vertices[0 .. mesh->vertices - 1], once a frame for any number of strips. */
+void lmb_mesh_project(const lmb_mesh *mesh, const lmb_pose *pose, const lmb_camera *camera, lmb_vertex *vertices);
+
+/* Painter's order, farthest triangle first, for meshes of at most 65536 triangles drawn without a depth buffer.
+ *   order, keys  room for mesh->triangles each; keys is scratch
+ *   return       0, or LMB_ERROR_VALUE for too many triangles */
+int lmb_mesh_sort(const lmb_mesh *mesh, const lmb_pose *pose, uint16_t *order, int16_t *keys);
+
 #ifdef __cplusplus
 }
 #endif

@@ -1,0 +1,100 @@
+/* SPDX-License-Identifier: MIT */
+/* Prepares a lobe: the constants of W_m, or tuned ones from cubics in 2^m / n. */
+#include "lambent.h"
+
+/* Shininess served, form, and where in lobe_curves its numbers start. A row for one n has four constants, another three cubics. */
+typedef struct lobe_row {
+    uint16_t first, last;
+    uint8_t form, curves;
+} lobe_row;
+
+/* form: the number of multiplications, and this. */
+#define CROSSED 0x80u
+
+#include "../tables/lobe_table.h"
+
+#define LOBE_ROWS (sizeof lobe_rows / sizeof *lobe_rows)
+
+/* What the table says of a lobe: alpha, slope * 2^multiplications / n, and the floor in Q2.14; the error bound in UQ0.16. */
+typedef struct lobe_constants {
+    int32_t alpha, slope, floor, error;
+} lobe_constants;
+
+/* The cubic c, highest power first, at y in Q2.14. Each partial sum fits int16_t (tables/gen_lobe.c searches |.| < 2). */
+static int32_t curve_at(const int16_t *c, int32_t y_q14)
+{
+    int32_t sum = c[0];
+    for (unsigned i = 1; i < 4; i++) sum = lmb_add(lmb_shr(lmb_mul16(sum, y_q14), 14), c[i]);
+    return sum;
+}
+
+static lobe_constants row_constants(const lobe_row *row, unsigned n)
+{
+    const int16_t *c = &lobe_curves[row->curves];
+    lobe_constants k = {c[0], c[1], c[3], c[2]};
+    if (row->first != row->last) {
+        unsigned shift, m = row->form & 7u;
+        uint32_t reciprocal = lmb_reciprocal(n, &shift); /* 2^(31 + shift) / n */
+        /* 2^m / n to nearest: it is never within 2^-11 of a tie, so that the reciprocal's error cannot show. */
+        int32_t y_q14 = (int32_t)(((reciprocal >> (16 + shift - m)) + 1) >> 1);
+        k.alpha = curve_at(c, y_q14);
+        k.slope = curve_at(c + 4, y_q14);
+        k.error = curve_at(c + 8, y_q14);
+        k.floor = 0;
+    }
+    return k;
+}
+
+/* The largest g with which the crossed form stays under one just below alpha. There the sum of error and product is 2^32 - 1,
+ * and adding the error / 2^16 to g takes less than the error away from it, as x < 2^16, but at least half of it: so g rises to
+ * its place from below. */
+static int32_t crossed_lift(uint32_t last, unsigned multiplications)
+{
+    uint32_t x = last, y = lmb_mulu(x, x) >> 16, lift = 0;
+    if (multiplications > 2) {
+        x = y;
+        y = lmb_mulu(y, y) >> 16;
+    }
+    for (unsigned i = 0; i < 17; i++) lift += ~lmb_mulu(y + lift, x) >> 16;
+    return (int32_t)lift;
+}
+
+static void lobe_set(lmb_lobe *lobe, unsigned n, unsigned form, const lobe_constants *k)
+{
+    uint32_t slope = lmb_mulu((uint32_t)k->slope, n); /* below 2^15 * 1000; slope * 2^(14 + multiplications) */
+    uint32_t last = (uint32_t)k->alpha * 4 - 1;       /* the largest s below alpha, UQ16.16 */
+    unsigned zeros = lmb_clz32(slope);
+    lobe->multiplications = (uint8_t)(form & 7u);
+    lobe->crossed = form >= CROSSED;
+    lobe->alpha_q30 = lmb_shl(k->alpha, 16);
+    /* The largest lift with which last * last + lift is still under one. */
+    lobe->lift = lobe->crossed ? crossed_lift(last, lobe->multiplications) : lmb_signed(~(last * last));
+    lobe->slope = (uint16_t)((slope << zeros) >> 16);
+    lobe->slope_shift = (int8_t)(17 - (int)zeros - (int)lobe->multiplications);
+    lobe->floor_q15 = (uint16_t)(k->floor * 2);
+    lobe->shininess = (uint16_t)n;
+    lobe->error_uq16 = (uint16_t)k->error;
+}
+
+int lmb_lobe_prepare(lmb_lobe *lobe, enum lmb_lobe_kind kind, unsigned n, uint16_t tolerance)
+{
+    static const lobe_constants published = {16384, 16384, 0, 65535};
+    const lobe_row *row, *end = lobe_rows + LOBE_ROWS;
+    int32_t best = 65535;
+    if (n < 1 || n > LMB_SHININESS_MAX || (unsigned)kind > LMB_LOBE_W16) return LMB_ERROR_VALUE;
+    if (kind != LMB_LOBE_TUNED) {
+        lobe_set(lobe, n, (unsigned)kind, &published);
+        return LMB_OK;
+    }
+    /* Rows come in the order of their cost. */
+    for (row = lobe_rows; row != end && best > tolerance; row++) {
+        lobe_constants k;
+        if (n < row->first || n > row->last) continue;
+        k = row_constants(row, n);
+        if (k.error < best) {
+            best = k.error;
+            lobe_set(lobe, n, row->form, &k);
+        }
+    }
+    return LMB_OK;
+}

@@ -1,0 +1,127 @@
+/* SPDX-License-Identifier: MIT */
+/* Meshes into triangles: pose, projection, the walk over what may be seen, and painter's order. */
+#include "clip.h"
+
+#define NOT_ON_SCREEN INT32_MIN /* x of a corner that must be clipped */
+
+lmb_point lmb_mesh_place(const lmb_mesh *mesh, const lmb_pose *pose, uint32_t i)
+{
+    int32_t turned[3];
+    /* Q.14 in mesh units to Q16.16 in units: times 2^(scale + 2), and scale <= -2 */
+    unsigned down = (unsigned)-(mesh->scale + 2);
+    lmb_point p;
+    lmb_rotate_wide(&pose->rotation, mesh->positions[i], turned);
+    p.x = lmb_add(pose->x, down ? lmb_shr_round(turned[0], down) : turned[0]);
+    p.y = lmb_add(pose->y, down ? lmb_shr_round(turned[1], down) : turned[1]);
+    p.z = lmb_add(pose->z, down ? lmb_shr_round(turned[2], down) : turned[2]);
+    return p;
+}
+
+static void project(const lmb_mesh *mesh, const lmb_pose *pose, const lmb_camera *camera, uint32_t i, lmb_vertex *vertex)
+{
+    vertex->normal = mesh->normals[i];
+    if (!lmb_project(camera, lmb_mesh_place(mesh, pose, i), vertex)) vertex->x = NOT_ON_SCREEN;
+}
+
+void lmb_mesh_project(const lmb_mesh *mesh, const lmb_pose *pose, const lmb_camera *camera, lmb_vertex *vertices)
+{
+    uint32_t i;
+    for (i = 0; i < mesh->vertices; i++) project(mesh, pose, camera, i, &vertices[i]);
+}
+
+void lmb_mesh_begin(lmb_walk *walk, const lmb_mesh *mesh, const lmb_pose *pose, const lmb_camera *camera, const lmb_look *look,
+                    const lmb_window *window, const lmb_vertex *vertices, const uint16_t *order)
+{
+    walk->mesh = mesh;
+    walk->pose = pose;
+    walk->camera = camera;
+    walk->look = look;
+    walk->vertices = vertices;
+    walk->order = order;
+    walk->window = *window;
+    walk->next = 0;
+    walk->corners = walk->fan = 0;
+    lmb_rays_prepare(&walk->rays, look, &pose->rotation);
+}
+
+/* Cuts a triangle that is not wholly on the screen; the walk hands the polygon out as a fan. */
+static void clip(lmb_walk *walk, const uint16_t *index)
+{
+    lmb_corner corner[3];
+    int i;
+    for (i = 0; i < 3; i++) {
+        corner[i].p = lmb_mesh_place(walk->mesh, walk->pose, index[i]);
+        corner[i].normal = walk->mesh->normals[index[i]];
+    }
+    walk->corners = (uint8_t)lmb_clip(walk->camera, corner, walk->polygon);
+    walk->fan = 1;
+}
+
+bool lmb_mesh_next(lmb_walk *walk, lmb_triangle *triangle)
+{
+    for (;;) {
+        const lmb_vertex *corner[3];
+        const uint16_t *index;
+        int i;
+        while (walk->fan + 1 < walk->corners) {
+            unsigned k = walk->fan++;
+            if (lmb_triangle_begin(triangle, walk->look, &walk->rays, &walk->polygon[0], &walk->polygon[k], &walk->polygon[k + 1],
+                                   &walk->window)) {
+                return true;
+            }
+        }
+        if (walk->next >= walk->mesh->triangles) return false;
+        index = walk->mesh->indices + (size_t)3 * (walk->order ? walk->order[walk->next] : walk->next);
+        walk->next++;
+        walk->corners = 0;
+        for (i = 0; i < 3; i++) {
+            if (!walk->vertices) project(walk->mesh, walk->pose, walk->camera, index[i], &walk->polygon[i]);
+            corner[i] = walk->vertices ? &walk->vertices[index[i]] : &walk->polygon[i];
+        }
+        if (corner[0]->x == NOT_ON_SCREEN || corner[1]->x == NOT_ON_SCREEN || corner[2]->x == NOT_ON_SCREEN) {
+            clip(walk, index);
+        } else if (lmb_triangle_begin(triangle, walk->look, &walk->rays, corner[0], corner[1], corner[2], &walk->window)) {
+            return true;
+        }
+    }
+}
+
+/* How near a triangle is: the sum of its corners along the view axis, in mesh units; the pose's place is common to all. */
+static int16_t nearness(const lmb_mesh *mesh, const lmb_pose *pose, uint32_t triangle)
+{
+    const uint16_t *index = mesh->indices + (size_t)3 * triangle;
+    int32_t sum = 0;
+    int i;
+    for (i = 0; i < 3; i++) {
+        int32_t turned[3];
+        lmb_rotate_wide(&pose->rotation, mesh->positions[index[i]], turned);
+        sum = lmb_add(sum, lmb_shr(turned[2], 2));
+    }
+    return (int16_t)lmb_shr(sum, 15); /* |turned| < 2^30, |sum| < 3 * 2^28 < 2^30 */
+}
+
+int lmb_mesh_sort(const lmb_mesh *mesh, const lmb_pose *pose, uint16_t *order, int16_t *keys)
+{
+    uint32_t n = mesh->triangles, gap = 1, i;
+    if (n > 65536) return LMB_ERROR_VALUE;
+    for (i = 0; i < n; i++) {
+        order[i] = (uint16_t)i;
+        keys[i] = nearness(mesh, pose, i);
+    }
+    while (gap < n) gap = gap * 3 + 1; /* Shell's sort with Knuth's gaps: no recursion, no memory of its own */
+    while (gap > 0) {
+        for (i = gap; i < n; i++) {
+            uint16_t moving = order[i];
+            uint32_t j = i;
+            for (; j >= gap && keys[order[j - gap]] > keys[moving]; j -= gap) order[j] = order[j - gap];
+            order[j] = moving;
+        }
+        /* the gaps are 1, 4, 13, 40, ...: (gap - 1) / 3 without a division */
+        {
+            uint32_t next = 0;
+            while (next * 3 + 1 < gap) next = next * 3 + 1;
+            gap = next;
+        }
+    }
+    return LMB_OK;
+}

@@ -1,0 +1,69 @@
+/* SPDX-License-Identifier: MIT */
+/* Linear and quadratic functions over a triangle, from their values at corners and mid-edges. Inside the library only. */
+#ifndef LMB_PLANE_H
+#define LMB_PLANE_H
+
+#include "lambent.h"
+
+/* What all planes of one triangle share. p is a position relative to corner 0 in 1/16 pixel, lambda1 and lambda2 its barycentric
+ * coordinates for corners 1 and 2: lambda1 = (a1 px + b1 py) / area, lambda2 = (a2 px + b2 py) / area. */
+typedef struct lmb_lattice {
+    int32_t a1, b1, a2, b2;  /* |.| < 2^LATTICE_BITS */
+    uint32_t reciprocal_q16; /* of the area: 1 / area = reciprocal_q16 * 2^-(16 + shift), 16 bits */
+    unsigned shift;
+    unsigned bits;           /* of the largest of a1 ... b2 */
+    int32_t offset_x, offset_y; /* from corner 0 to the centre of its pixel, 1/16 pixel, -7 to 8 */
+    unsigned exponent;       /* of the gradients behind forms: lambda per pixel = integer * 2^-exponent */
+    bool curved;             /* forms is valid */
+    /* Products of gradients, from which each second-order plane takes its six numbers: value, dx, dy, dxx/2, dyy/2, dxy/2,
+     * each as (lambda1 lambda1, lambda2 lambda2, lambda1 lambda2 twice). */
+    int32_t form[6][3];
+} lmb_lattice;
+
+/* A function over the triangle in Q4.28: value at corner 0, rises to corners 1 and 2, and bulges: mid-edge value minus the mean of
+ * the edge's ends, for edges 01, 12, 20. */
+typedef struct lmb_net {
+    int32_t value, rise1, rise2;
+    int32_t bulge01, bulge12, bulge20;
+} lmb_net;
+
+/* Sets a lattice up for three corners, clockwise on the screen with y down; curved: for planes with bulges too. */
+void lmb_lattice_begin(lmb_lattice *lattice, const lmb_vertex *corner0, const lmb_vertex *corner1, const lmb_vertex *corner2,
+                       bool curved);
+
+/* The plane through a net, at the pixel of corner 0. Bulges count if the lattice is curved. */
+void lmb_plane_begin(lmb_plane *plane, const lmb_lattice *lattice, const lmb_net *net);
+
+/* Moves a plane by whole pixels. */
+void lmb_plane_move(lmb_plane *plane, int32_t columns, int32_t rows);
+
+/* One row down. */
+static inline void lmb_plane_down(lmb_plane *plane)
+{
+    plane->f = lmb_add_wrap(plane->f, plane->dy);
+    plane->dy = lmb_add_wrap(plane->dy, plane->dyy);
+    plane->dx = lmb_add_wrap(plane->dx, plane->dxy);
+}
+
+/* f + n d + n (n - 1) / 2 c and d + n c: a term n steps on, |n| < 2^16. n (n - 1) is even and below 2^32, so its half is exact. */
+static inline lmb_term lmb_term_move(int32_t f, int32_t d, int32_t c, int32_t n)
+{
+    lmb_term term;
+    term.f = lmb_add_wrap(f, lmb_mul_wrap(n, d));
+    term.d = d;
+    term.c = c;
+    if (c != 0) {
+        uint32_t pairs = ((uint32_t)n * ((uint32_t)n - 1u)) >> 1;
+        term.f = lmb_add_wrap(term.f, lmb_mul_wrap(lmb_signed(pairs), c));
+        term.d = lmb_add_wrap(d, lmb_mul_wrap(n, c));
+    }
+    return term;
+}
+
+/* The term of the plane's row, some columns on. */
+static inline lmb_term lmb_plane_term(const lmb_plane *plane, int32_t columns)
+{
+    return lmb_term_move(plane->f, plane->dx, plane->dxx, columns);
+}
+
+#endif

@@ -1,0 +1,227 @@
+/* SPDX-License-Identifier: MIT */
+/* From normals to terms: what light does at corners, over a triangle and along a span.
+ *
+ * Diffuse is f = N.L. The highlight runs on v = 1 - N.H, taken as half a squared distance: normals rounded to Q2.14 are not quite
+ * unit, and in that form their length costs v a relative 2^-14 instead of an absolute one, which n would multiply. The lobe's own
+ * argument s = alpha - slope v is affine in v, so the planes carry s and the pixel only squares (paper 000; paper 001, eq. 13).
+ *
+ * Quadratics pass through the mid-edge values of the normalised mean normal M = P (Na + Nb) / 2, P = 1 / sqrt(1 - u/2), u = 1 - Na.Nb
+ * (DESIGN, after Bishop & Weimer 1986), so the bulge of f is (P - 1) (fa + fb) / 2 and that of v is (P - 1) ((va + vb) / 2 - 1): no
+ * mid normal is built.
+ */
+#include "shade.h"
+
+#include "step.h"
+
+#define ONE_Q28 0x10000000
+
+/* P - 1 = 1 / sqrt(1 - u/2) - 1, Q4.28. For u up to 1/4 (41 degrees) u/4 (1 + 3/8 u + 5/32 u^2 + 35/512 u^3), Taylor's series, short
+ * of the truth by at most 1.3e-4 of it; above by reciprocal square root. u beyond LMB_ARC_U_MAX counts as that. */
+static int32_t bulge_factor_q28(int32_t u_q28)
+{
+    if (u_q28 <= ONE_Q28 / 4) {
+        int32_t u_q16 = lmb_shr(u_q28, 12); /* at most 2^14, so products stay under 2^29 */
+        int32_t h_q16 = lmb_add(10240, lmb_shr(lmb_mul(u_q16, 4480), 16));
+        h_q16 = lmb_add(24576, lmb_shr(lmb_mul(u_q16, h_q16), 16));
+        h_q16 = lmb_shr(lmb_mul(u_q16, h_q16), 16);
+        return lmb_add(lmb_shr(u_q28, 2), lmb_mul_q16(lmb_shr(u_q28, 2), (uint32_t)h_q16));
+    }
+    u_q28 = lmb_min(u_q28, LMB_ARC_U_MAX);
+    return lmb_shr((int32_t)(lmb_rsqrt_q30(((uint32_t)1 << 30) - ((uint32_t)u_q28 << 1)) - ((uint32_t)1 << 30)), 2);
+}
+
+/* a Q4.28 value times another in [-1, 1] of which 15 bits matter. */
+static int32_t times_q28(int32_t a, int32_t b_q28)
+{
+    return lmb_mul_q15(a, lmb_min(lmb_shr(b_q28, 13), 32767));
+}
+
+/* A net from its corner values and the bulge factors of edges 01, 12, 20; mean - pull is what bulges. */
+static void net_set(lmb_net *net, const int32_t value[3], const int32_t factor[3], int32_t pull)
+{
+    int32_t half[3], bulge[3];
+    int i;
+    for (i = 0; i < 3; i++) half[i] = lmb_shr(lmb_sub(value[i], pull), 1);
+    for (i = 0; i < 3; i++) bulge[i] = factor[i] ? times_q28(factor[i], lmb_add(half[i], half[i == 2 ? 0 : i + 1])) : 0;
+    net->value = value[0];
+    net->rise1 = lmb_sub(value[1], value[0]);
+    net->rise2 = lmb_sub(value[2], value[0]);
+    net->bulge01 = bulge[0];
+    net->bulge12 = bulge[1];
+    net->bulge20 = bulge[2];
+}
+
+/* The least and greatest control value of a net as a Bezier triangle: the function stays between them. */
+static void net_range(const lmb_net *net, int32_t *low, int32_t *high)
+{
+    int32_t v0 = net->value, v1 = lmb_add(v0, net->rise1), v2 = lmb_add(v0, net->rise2), i;
+    int32_t control[6];
+    control[0] = v0;
+    control[1] = v1;
+    control[2] = v2;
+    control[3] = lmb_add(lmb_shr(lmb_add(v0, v1), 1), lmb_shl(net->bulge01, 1));
+    control[4] = lmb_add(lmb_shr(lmb_add(v1, v2), 1), lmb_shl(net->bulge12, 1));
+    control[5] = lmb_add(lmb_shr(lmb_add(v2, v0), 1), lmb_shl(net->bulge20, 1));
+    *low = *high = control[0];
+    for (i = 1; i < 6; i++) {
+        *low = lmb_min(*low, control[i]);
+        *high = lmb_max(*high, control[i]);
+    }
+}
+
+/* slope * x / 2^exponent of the lobe, x in Q4.28. */
+static int32_t sloped(const lmb_lobe *lobe, int32_t x, unsigned exponent)
+{
+    int32_t product = lmb_mul_q16(x, lobe->slope);
+    int32_t up = lobe->slope_shift + 1 - (int32_t)exponent;
+    return up >= 0 ? lmb_shl(product, (unsigned)up) : lmb_shr(product, (unsigned)-up);
+}
+
+/* Turns a net of v into one of s / 2^exponent, with the exponent that keeps it inside (-2, 2); false if s <= 0 all over. */
+static bool net_argument(lmb_net *net, const lmb_lobe *lobe, uint8_t *exponent)
+{
+    int32_t low, high, least, scaled;
+    unsigned e;
+    net_range(net, &low, &high);
+    least = lmb_mul_q16(lmb_max(high, 0), lobe->slope); /* slope v = least * 2^(slope_shift + 1) must stay under 2 = 2^29 */
+    scaled = (int32_t)(32u - lmb_clz32((uint32_t)least)) + lobe->slope_shift + 1 - 29;
+    e = (unsigned)lmb_max(scaled, 0);
+    *exponent = (uint8_t)e;
+    net->value = lmb_sub(lmb_shr(lobe->alpha_q30, e + 2), sloped(lobe, net->value, e));
+    net->rise1 = lmb_sub(0, sloped(lobe, net->rise1, e));
+    net->rise2 = lmb_sub(0, sloped(lobe, net->rise2, e));
+    net->bulge01 = lmb_sub(0, sloped(lobe, net->bulge01, e));
+    net->bulge12 = lmb_sub(0, sloped(lobe, net->bulge12, e));
+    net->bulge20 = lmb_sub(0, sloped(lobe, net->bulge20, e));
+    net_range(net, &low, &high);
+    return high > 0;
+}
+
+static void dots_q28(int32_t out[3], const lmb_vertex *const corner[3], lmb_vec ray)
+{
+    int i;
+    for (i = 0; i < 3; i++) out[i] = lmb_dot_q28(corner[i]->normal, ray);
+}
+
+static void distances_q28(int32_t out[3], const lmb_vertex *const corner[3], lmb_vec ray)
+{
+    int i;
+    for (i = 0; i < 3; i++) out[i] = lmb_half_distance_q28(corner[i]->normal, ray);
+}
+
+static bool any_above_zero(const int32_t value[3]) { return value[0] > 0 || value[1] > 0 || value[2] > 0; }
+
+/* Diffuse and gloss by linear or quadratic planes. */
+static void shade_planes(lmb_triangle *t, const lmb_lattice *lattice, const lmb_vertex *const corner[3])
+{
+    int32_t factor[3] = {0, 0, 0}, value[3], low, high;
+    lmb_net net;
+    unsigned i;
+    for (i = 0; i < 3 && lattice->curved; i++) {
+        factor[i] = bulge_factor_q28(lmb_half_distance_q28(corner[i]->normal, corner[i == 2 ? 0 : i + 1]->normal));
+    }
+    for (i = 0; i < t->look->lights; i++) {
+        dots_q28(value, corner, t->rays->light[i].direction);
+        net_set(&net, value, factor, 0);
+        net_range(&net, &low, &high);
+        if (high > 0) {
+            t->diffuse_on |= (uint8_t)(1u << i);
+            lmb_plane_begin(&t->u.plane.diffuse[i], lattice, &net);
+        }
+        if (!(t->look->specular_on >> i & 1u)) continue;
+        distances_q28(value, corner, t->rays->light[i].half);
+        net_set(&net, value, factor, ONE_Q28);
+        if (net_argument(&net, &t->look->lobe, &t->exponent[i])) {
+            t->specular_on |= (uint8_t)(1u << i);
+            lmb_plane_begin(&t->u.plane.specular[i], lattice, &net);
+        }
+    }
+}
+
+/* What the lobe returns at v, Q4.28. */
+static int32_t lobe_q28(const lmb_lobe *lobe, int32_t v_q28)
+{
+    return lmb_shl(lmb_lobe_eval(lobe, lmb_shl(lmb_min(v_q28, 2 * ONE_Q28 - 1), 2)), 13);
+}
+
+/* Gouraud: both terms lit at the corners, linear between. */
+static void shade_corners(lmb_triangle *t, const lmb_lattice *lattice, const lmb_vertex *const corner[3])
+{
+    static const int32_t straight[3] = {0, 0, 0};
+    int32_t value[3];
+    lmb_net net;
+    unsigned i, k;
+    for (i = 0; i < t->look->lights; i++) {
+        dots_q28(value, corner, t->rays->light[i].direction);
+        for (k = 0; k < 3; k++) value[k] = lmb_max(value[k], 0);
+        if (any_above_zero(value)) {
+            net_set(&net, value, straight, 0);
+            t->diffuse_on |= (uint8_t)(1u << i);
+            lmb_plane_begin(&t->u.plane.diffuse[i], lattice, &net);
+        }
+        if (!(t->look->specular_on >> i & 1u)) continue;
+        distances_q28(value, corner, t->rays->light[i].half);
+        for (k = 0; k < 3; k++) value[k] = lobe_q28(&t->look->lobe, value[k]);
+        if (any_above_zero(value)) {
+            net_set(&net, value, straight, 0);
+            t->specular_on |= (uint8_t)(1u << i);
+            lmb_plane_begin(&t->u.plane.specular[i], lattice, &net);
+        }
+    }
+}
+
+/* Flat: one normal for the triangle, the normalised sum of its three. */
+static void shade_face(lmb_triangle *t, const lmb_vertex *const corner[3])
+{
+    const lmb_vec a = corner[0]->normal, b = corner[1]->normal, c = corner[2]->normal;
+    lmb_vec n = lmb_normalise(lmb_add(lmb_add(a.x, b.x), c.x), lmb_add(lmb_add(a.y, b.y), c.y), lmb_add(lmb_add(a.z, b.z), c.z));
+    unsigned i;
+    for (i = 0; i < t->look->lights; i++) {
+        int32_t value = lmb_dot_q28(n, t->rays->light[i].direction);
+        if (value > 0) {
+            t->diffuse_on |= (uint8_t)(1u << i);
+            t->u.plane.diffuse[i].f = lmb_shl(value, 2);
+        }
+        if (!(t->look->specular_on >> i & 1u)) continue;
+        value = lobe_q28(&t->look->lobe, lmb_half_distance_q28(n, t->rays->light[i].half));
+        if (value > 0) {
+            t->specular_on |= (uint8_t)(1u << i);
+            t->u.plane.specular[i].f = lmb_shl(value, 2);
+        }
+    }
+}
+
+void lmb_shade_begin(lmb_triangle *t, const lmb_lattice *lattice, const lmb_vertex *const corner[3])
+{
+    t->diffuse_on = t->specular_on = 0;
+    t->kind = LMB_SPAN_PLANE;
+    if (t->look->model == LMB_MODEL_FLAT) {
+        t->kind = LMB_SPAN_FLAT;
+        shade_face(t, corner);
+    } else if (t->look->model == LMB_MODEL_GOURAUD) {
+        shade_corners(t, lattice, corner);
+    } else if (t->look->step == LMB_STEP_ARC) {
+        t->kind = LMB_SPAN_ARC;
+        t->diffuse_on = (uint8_t)((1u << t->look->lights) - 1u);
+        t->specular_on = t->look->specular_on;
+    } else {
+        shade_planes(t, lattice, corner);
+    }
+}
+
+void lmb_shade_arc(const lmb_triangle *t, lmb_span *span, lmb_vec from, lmb_vec to, uint32_t length, uint32_t start)
+{
+    const lmb_lobe *lobe = &t->look->lobe;
+    /* s = slope f + (alpha - slope); |slope f| < 2^exponent, both ends of s inside 2 * 2^exponent */
+    unsigned exponent = (unsigned)lmb_max(lobe->slope_shift + 1, 0), i;
+    lmb_arc_between(&span->arc, from, to, length);
+    for (i = 0; i < t->look->lights; i++) {
+        lmb_arc_dot(&span->arc, &span->diffuse[i], from, to, t->rays->light[i].direction, start);
+        if (!(t->specular_on >> i & 1u)) continue;
+        lmb_arc_near(&span->arc, &span->specular[i], from, to, t->rays->light[i].half, start);
+        lmb_term_scale(&span->specular[i], lobe->slope, lobe->slope_shift + 1 - (int32_t)exponent);
+        span->specular[i].c = lmb_sub(lmb_shr(lobe->alpha_q30, exponent),
+                                      lmb_shl(lobe->slope, (unsigned)(15 + lobe->slope_shift - (int32_t)exponent)));
+        span->exponent[i] = (uint8_t)exponent;
+    }
+}

@@ -1,0 +1,15 @@
+/* SPDX-License-Identifier: MIT */
+/* From normals to terms: what light does at corners, over a triangle and along a span. Inside the library only. */
+#ifndef LMB_SHADE_H
+#define LMB_SHADE_H
+
+#include "plane.h"
+
+/* Sets the terms of a triangle up for look->model and look->step: planes, or the choice of arcs. corner 0, 1, 2 as the lattice has
+ * them; the lattice is curved if the look asks for quadratics. */
+void lmb_shade_begin(lmb_triangle *triangle, const lmb_lattice *lattice, const lmb_vertex *const corner[3]);
+
+/* Starts all terms of an arc span between two normals, length and start in 1/16 pixel. */
+void lmb_shade_arc(const lmb_triangle *triangle, lmb_span *span, lmb_vec from, lmb_vec to, uint32_t length, uint32_t start);
+
+#endif

@@ -1,0 +1,264 @@
+/* SPDX-License-Identifier: MIT */
+/* Triangles into spans: culling, the rows between the edges, terms at each span's first pixel (the two stages of paper 001:
+ * prepare, here along the edges and over the triangle; shade, along the span, in the caller's loop).
+ *
+ * Whatever part of the frame the window shows, a pixel gets the same bits: planes are exact modulo 2^32 wherever they are evaluated,
+ * and arcs are always stepped from the edge's top and the span's left end, seen or not.
+ */
+#include "edge.h"
+#include "shade.h"
+#include "step.h"
+
+#define DEPTH_MARGIN 4 /* keeps a rounded depth inside 16 bits */
+
+static bool on_screen(const lmb_vertex *v)
+{
+    return v->x >= -LMB_SCREEN_MAX && v->x <= LMB_SCREEN_MAX && v->y >= -LMB_SCREEN_MAX && v->y <= LMB_SCREEN_MAX;
+}
+
+static void sort_by_y(const lmb_vertex *corner[3])
+{
+    const lmb_vertex *swap;
+    int pass;
+    for (pass = 0; pass < 3; pass++) {
+        int i = pass & 1;
+        if (corner[i + 1]->y < corner[i]->y) {
+            swap = corner[i];
+            corner[i] = corner[i + 1];
+            corner[i + 1] = swap;
+        }
+    }
+}
+
+/* The least and the greatest first pixel of three columns; false if no pixel of the window can be inside. */
+static bool in_window(const lmb_triangle *t, const lmb_vertex *a, const lmb_vertex *b, const lmb_vertex *c)
+{
+    int32_t low = lmb_row_at(lmb_min(a->x, lmb_min(b->x, c->x))); /* columns round as rows do */
+    int32_t high = lmb_row_at(lmb_max(a->x, lmb_max(b->x, c->x)));
+    return t->y < t->y_end && low < high && high > t->window.left && low < t->window.right;
+}
+
+/* ----------------------------------------------------------------------------------------------------------------- arcs on edges */
+
+static uint32_t row_start(const lmb_vertex *top)
+{
+    return (uint32_t)lmb_sub(lmb_add(lmb_shl(lmb_row_at(top->y), 4), 8), top->y);
+}
+
+static int32_t component_rise(int32_t from, int32_t to)
+{
+    int32_t rise = lmb_sub(to, from); /* at most 2 in Q2.14; Q2.30 holds just less */
+    return lmb_mul(lmb_max(lmb_min(rise, 32767), -32767), 65536);
+}
+
+static void edge_arc_begin(lmb_edge_arc *e, const lmb_vertex *top, const lmb_vertex *bottom, int32_t row)
+{
+    const lmb_vec a = top->normal, b = bottom->normal;
+    uint32_t start = row_start(top);
+    int32_t skip = lmb_sub(row, lmb_row_at(top->y));
+    lmb_arc_between(&e->arc, a, b, (uint32_t)lmb_sub(bottom->y, top->y));
+    lmb_arc_start(&e->arc, &e->component[0], lmb_mul(a.x, 65536), component_rise(a.x, b.x), start);
+    lmb_arc_start(&e->arc, &e->component[1], lmb_mul(a.y, 65536), component_rise(a.y, b.y), start);
+    lmb_arc_start(&e->arc, &e->component[2], lmb_mul(a.z, 65536), component_rise(a.z, b.z), start);
+    for (; skip > 0; skip--) {
+        lmb_arc_step(&e->arc, &e->component[0]);
+        lmb_arc_step(&e->arc, &e->component[1]);
+        lmb_arc_step(&e->arc, &e->component[2]);
+    }
+}
+
+static int16_t component_now(const lmb_term *term)
+{
+    return (int16_t)lmb_max(lmb_min(lmb_shr_round(lmb_shr(term->f, 2), 14), 32767), -32767);
+}
+
+static lmb_vec edge_arc_normal(const lmb_edge_arc *e)
+{
+    lmb_vec n;
+    n.x = component_now(&e->component[0]);
+    n.y = component_now(&e->component[1]);
+    n.z = component_now(&e->component[2]);
+    return n;
+}
+
+static void edge_arc_step(lmb_edge_arc *e)
+{
+    lmb_arc_step(&e->arc, &e->component[0]);
+    lmb_arc_step(&e->arc, &e->component[1]);
+    lmb_arc_step(&e->arc, &e->component[2]);
+}
+
+/* ----------------------------------------------------------------------------------------------------------------------- set-up */
+
+/* Walks one side from its upper corner; row is the first row to be shown. */
+static void side_begin(lmb_triangle *t, bool left, const lmb_vertex *top, const lmb_vertex *bottom, int32_t row)
+{
+    lmb_edge_begin(left ? &t->left : &t->right, top->x, top->y, bottom->x, bottom->y, row);
+    if (t->kind == LMB_SPAN_ARC) edge_arc_begin(left ? &t->u.arc.left : &t->u.arc.right, top, bottom, row);
+}
+
+static void planes_move(lmb_triangle *t, int32_t columns, int32_t rows)
+{
+    unsigned i;
+    lmb_plane_move(&t->depth, columns, rows);
+    if (t->kind != LMB_SPAN_PLANE) return;
+    for (i = 0; i < t->look->lights; i++) {
+        if (t->diffuse_on >> i & 1u) lmb_plane_move(&t->u.plane.diffuse[i], columns, rows);
+        if (t->specular_on >> i & 1u) lmb_plane_move(&t->u.plane.specular[i], columns, rows);
+    }
+}
+
+static void depth_begin(lmb_triangle *t, const lmb_lattice *lattice, const lmb_vertex *const corner[3])
+{
+    int32_t depth[3], i;
+    lmb_net net = {0, 0, 0, 0, 0, 0};
+    for (i = 0; i < 3; i++) depth[i] = lmb_shl(lmb_max(DEPTH_MARGIN, lmb_min(corner[i]->depth, 65535 - DEPTH_MARGIN)), 12);
+    net.value = depth[0];
+    net.rise1 = lmb_sub(depth[1], depth[0]);
+    net.rise2 = lmb_sub(depth[2], depth[0]);
+    lmb_plane_begin(&t->depth, lattice, &net);
+}
+
+/* Planes stand at the pixel of corner 0; brings them to the first row, and names their column. */
+static void terms_begin(lmb_triangle *t, const lmb_vertex *const corner[3])
+{
+    bool curved = t->look->step == LMB_STEP_QUADRATIC && t->look->model >= LMB_MODEL_DIFFUSE;
+    lmb_lattice lattice;
+    lmb_lattice_begin(&lattice, corner[0], corner[1], corner[2], curved);
+    lmb_shade_begin(t, &lattice, corner);
+    depth_begin(t, &lattice, corner);
+    t->column = lmb_shr(corner[0]->x, 4);
+    planes_move(t, 0, lmb_sub(t->y, lmb_shr(corner[0]->y, 4)));
+}
+
+bool lmb_triangle_begin(lmb_triangle *t, const lmb_look *look, const lmb_rays *rays, const lmb_vertex *a, const lmb_vertex *b,
+                        const lmb_vertex *c, const lmb_window *window)
+{
+    const lmb_vertex *clockwise[3];
+    int32_t abx, aby, acx, acy;
+    if (!on_screen(a) || !on_screen(b) || !on_screen(c)) return false;
+    abx = lmb_sub(b->x, a->x);
+    aby = lmb_sub(b->y, a->y);
+    acx = lmb_sub(c->x, a->x);
+    acy = lmb_sub(c->y, a->y);
+    if (!lmb_product_less(abx, acy, acx, aby)) return false; /* seen from behind, or a line */
+    t->look = look;
+    t->rays = rays;
+    t->window = *window;
+    t->corner[0] = a;
+    t->corner[1] = b;
+    t->corner[2] = c;
+    sort_by_y(t->corner);
+    t->y = lmb_max(lmb_row_at(t->corner[0]->y), window->top);
+    t->y_switch = lmb_row_at(t->corner[1]->y);
+    t->y_end = lmb_min(lmb_row_at(t->corner[2]->y), window->bottom);
+    if (!in_window(t, a, b, c)) return false;
+    clockwise[0] = a;
+    clockwise[1] = c;
+    clockwise[2] = b;
+    terms_begin(t, clockwise);
+    /* the middle corner lies right of the long edge if top, middle, bottom run clockwise */
+    abx = lmb_sub(t->corner[1]->x, t->corner[0]->x);
+    aby = lmb_sub(t->corner[1]->y, t->corner[0]->y);
+    acx = lmb_sub(t->corner[2]->x, t->corner[0]->x);
+    acy = lmb_sub(t->corner[2]->y, t->corner[0]->y);
+    t->long_left = lmb_product_less(acx, aby, abx, acy);
+    side_begin(t, t->long_left, t->corner[0], t->corner[2], t->y);
+    if (t->y < t->y_switch) {
+        side_begin(t, !t->long_left, t->corner[0], t->corner[1], t->y);
+    } else {
+        side_begin(t, !t->long_left, t->corner[1], t->corner[2], t->y);
+        t->y_switch = t->y_end; /* no change of sides to come */
+    }
+    return true;
+}
+
+/* ------------------------------------------------------------------------------------------------------------------------ spans */
+
+/* How far left of the centre of pixel edge->x the edge crosses, in 1/16 pixel, 0 to 15: gap * 16 / modulus. */
+static int32_t behind(const lmb_edge *edge)
+{
+    unsigned shift;
+    uint32_t reciprocal = lmb_reciprocal(edge->modulus, &shift);
+    return lmb_min(15, lmb_mul_shr((int32_t)edge->gap, (int32_t)(reciprocal >> 1), 30 + shift - 4));
+}
+
+static void arc_span(const lmb_triangle *t, lmb_span *span, int32_t hidden)
+{
+    int32_t from = behind(&t->left), to = behind(&t->right);
+    int32_t length = lmb_sub(lmb_add(lmb_shl(lmb_sub(t->right.x, t->left.x), 4), from), to);
+    unsigned i;
+    lmb_shade_arc(t, span, edge_arc_normal(&t->u.arc.left), edge_arc_normal(&t->u.arc.right), (uint32_t)lmb_max(length, 1),
+                  (uint32_t)from);
+    for (; hidden > 0; hidden--) {
+        for (i = 0; i < t->look->lights; i++) {
+            lmb_arc_step(&span->arc, &span->diffuse[i]);
+            if (t->specular_on >> i & 1u) lmb_arc_step(&span->arc, &span->specular[i]);
+        }
+    }
+}
+
+static void plane_span(const lmb_triangle *t, lmb_span *span)
+{
+    int32_t columns = lmb_sub(span->x, t->column);
+    unsigned i;
+    for (i = 0; i < t->look->lights; i++) {
+        if (t->diffuse_on >> i & 1u) span->diffuse[i] = lmb_plane_term(&t->u.plane.diffuse[i], columns);
+        if (t->specular_on >> i & 1u) span->specular[i] = lmb_plane_term(&t->u.plane.specular[i], columns);
+        span->exponent[i] = t->exponent[i];
+    }
+}
+
+static void flat_span(const lmb_triangle *t, lmb_span *span)
+{
+    unsigned i;
+    for (i = 0; i < t->look->lights; i++) {
+        span->diffuse[i].f = t->u.plane.diffuse[i].f;
+        span->specular[i].f = t->u.plane.specular[i].f;
+        span->exponent[i] = 0;
+    }
+}
+
+static void rows_step(lmb_triangle *t)
+{
+    unsigned i;
+    t->y = lmb_add(t->y, 1);
+    lmb_plane_down(&t->depth);
+    lmb_edge_step(&t->left);
+    lmb_edge_step(&t->right);
+    if (t->kind == LMB_SPAN_ARC) {
+        edge_arc_step(&t->u.arc.left);
+        edge_arc_step(&t->u.arc.right);
+    } else if (t->kind == LMB_SPAN_PLANE) {
+        for (i = 0; i < t->look->lights; i++) {
+            if (t->diffuse_on >> i & 1u) lmb_plane_down(&t->u.plane.diffuse[i]);
+            if (t->specular_on >> i & 1u) lmb_plane_down(&t->u.plane.specular[i]);
+        }
+    }
+    if (t->y == t->y_switch && t->y < t->y_end) side_begin(t, !t->long_left, t->corner[1], t->corner[2], t->y);
+}
+
+bool lmb_triangle_next(lmb_triangle *t, lmb_span *span)
+{
+    for (; t->y < t->y_end; rows_step(t)) {
+        int32_t x = lmb_max(t->left.x, t->window.left), end = lmb_min(t->right.x, t->window.right);
+        if (x >= end) continue;
+        span->x = (int16_t)x;
+        span->y = (int16_t)t->y;
+        span->length = (uint16_t)lmb_sub(end, x);
+        span->kind = t->kind;
+        span->diffuse_on = t->diffuse_on;
+        span->specular_on = t->specular_on;
+        span->depth = lmb_plane_term(&t->depth, lmb_sub(x, t->column));
+        if (t->kind == LMB_SPAN_ARC) {
+            arc_span(t, span, lmb_sub(x, t->left.x));
+        } else if (t->kind == LMB_SPAN_PLANE) {
+            plane_span(t, span);
+        } else {
+            flat_span(t, span);
+        }
+        rows_step(t);
+        return true;
+    }
+    return false;
+}

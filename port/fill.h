@@ -1,0 +1,60 @@
+/* SPDX-License-Identifier: MIT */
+/* The filler: spans into pixels. A surface is the caller's memory for a frame or for a strip of one.
+ *
+ * Pixels are stored as bytes in the same order on every machine:
+ *   LMB_RGB565  two bytes, low byte first: blue in bits 0-4, green in 5-10, red in 11-15 of a little-endian half word
+ *   LMB_RGB888  three bytes: red, green, blue
+ * A channel's level is its intensity times 31, 63 or 255, rounded to nearest; no dither, no gamma.
+ */
+#ifndef LMB_FILL_H
+#define LMB_FILL_H
+
+#include "../firmware/lambent.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum lmb_format { LMB_RGB565, LMB_RGB888 };
+
+/* Bytes of a pixel. */
+static inline unsigned lmb_format_bytes(enum lmb_format format) { return format == LMB_RGB565 ? 2 : 3; }
+
+/* Memory for the pixels of window. The same frame drawn whole or strip by strip gives the same bytes. */
+typedef struct lmb_surface {
+    void *pixels;      /* of the window's top left corner; RGB565: aligned to 2 bytes */
+    uint16_t *depth;   /* NULL: no depth test. Else one per pixel of the window, row by row without gaps */
+    size_t pitch;      /* bytes from one row to the next; RGB565: even */
+    lmb_window window; /* which part of the frame it holds */
+    uint8_t format;    /* enum lmb_format */
+} lmb_surface;
+
+/* A surface over a whole frame or a strip of it: rows top to bottom - 1 of a frame width pixels wide, no gaps between rows. */
+void lmb_surface_strip(lmb_surface *surface, enum lmb_format format, void *pixels, uint16_t *depth, int width, int top, int bottom);
+
+/* Fills the window with one colour, and its depth, if any, with the farthest. */
+void lmb_clear(const lmb_surface *surface, lmb_rgb colour);
+
+/* A look's colours in the surface's levels, prepared once per look and format. Fields may change without notice. */
+typedef struct lmb_paint {
+    uint32_t ambient[3]; /* r, g, b with half a level added, in levels times 2^shift[] */
+    struct {
+        uint16_t diffuse[3], specular[3];
+    } light[LMB_LIGHTS];
+} lmb_paint;
+
+void lmb_paint_prepare(lmb_paint *paint, const lmb_look *look, enum lmb_format format);
+
+/* Stores the pixels of one span, which must lie in the surface's window. */
+void lmb_fill_span(const lmb_surface *surface, const lmb_look *look, const lmb_paint *paint, const lmb_span *span);
+
+/* Draws a mesh: all of the above in one call.
+ *   vertices, order  as in lmb_mesh_begin; both may be NULL
+ *   return           pixels that were inside triangles (with depth: before the test) */
+uint32_t lmb_draw_mesh(const lmb_surface *surface, const lmb_mesh *mesh, const lmb_pose *pose, const lmb_camera *camera,
+                       const lmb_look *look, const lmb_vertex *vertices, const uint16_t *order);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
