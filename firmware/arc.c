@@ -10,8 +10,7 @@
  * An error of G is one of angle alone, since all else is derived from it: amplitudes count n times in a highlight, angles only
  * 0.6 sqrt(n) times. For the same reason sin(phi) is refitted to kappa = 2 - 2 cos(phi) once that has been rounded.
  *
- * Values with a lower case scaled are times 2^guard for each factor of phi, so that they keep their precision on long arcs;
- * 2^guard is m/2 to m/4.
+ * Scaled values are times 2^guard for each factor of phi, which keeps their precision on long arcs; 2^guard is m/4 to m/2.
  */
 #include "lambent.h"
 
@@ -33,8 +32,8 @@ static uint32_t lessen(uint32_t x, uint32_t part_q28)
 /* G(u) in Q4.28, for u up to LMB_ARC_U_MAX. Values up to 2.42. */
 static uint32_t angle_over_sine(int32_t u_q28)
 {
-    const struct arc_piece *piece = &arc_table[lmb_min(lmb_shr(u_q28, 24), 23)];
-    uint32_t t_q16 = lmb_min(u_q28 - (int32_t)(piece - arc_table) * 0x1000000, 0xffffff) >> 8;
+    const struct arc_piece *piece = &arc_table[u_q28 < LMB_ARC_U_MAX ? u_q28 >> 24 : 23];
+    uint32_t t_q16 = u_q28 < LMB_ARC_U_MAX ? (uint32_t)u_q28 >> 8 & 0xffff : 0xffff;
     uint32_t rise_q26 = ((uint32_t)piece->slope << 8) + (lmb_mulu(piece->bend, t_q16) >> 10);
     return (uint32_t)piece->value + ((uint32_t)lmb_mul_q16((int32_t)rise_q26, t_q16) << 2);
 }
@@ -46,6 +45,7 @@ static void series(uint32_t p_q28, uint32_t *cos_loss_q28, uint32_t *sin_loss_q2
 {
     static const uint16_t ratio_q19[6] = {43691, 17476, 9362, 5825, 3972, 2881};
     uint32_t t_q28 = (uint32_t)lmb_mul_q16((int32_t)p_q28, ratio_q19[0]) >> 3, j = 1;
+    t_q28 -= t_q28 >> 17; /* 43691 is 2^19/12 and a 2^17th part too much */
     *cos_loss_q28 = *sin_loss_q28 = 0;
     for (;;) {
         uint32_t weighted = lmb_mulu(t_q28, j + 1);
@@ -77,7 +77,7 @@ static struct turn turn_by(uint32_t ratio_q28, uint32_t sine_squared_q30, unsign
  *   y/(1-y)  y + 4/3 y^2 with y = kappa/4 <= 1/4 (from two pixels on, phi <= 60 degrees), exact at its end */
 static void round_kappa(lmb_arc *arc, struct turn *phi)
 {
-    unsigned zeros = lmb_clz32(phi->kappa_q28), drop = 18;
+    unsigned zeros = lmb_clz32(phi->kappa_q28 | 1), drop = 18;
     uint32_t x_q31 = phi->kappa_q28 << zeros, k = (x_q31 >> 18) + (x_q31 >> 17 & 1);
     int32_t y_q12, inverse_q12, half_e_q32, quarter_q12;
     if (k > LMB_ARC_KAPPA_MAX) {
@@ -91,53 +91,138 @@ static void round_kappa(lmb_arc *arc, struct turn *phi)
     quarter_q12 = lmb_add(quarter_q12, lmb_shr(lmb_mul(lmb_mul(quarter_q12, quarter_q12), 341), 20)); /* 341/256 = 4/3 */
     half_e_q32 = lmb_sub(half_e_q32, lmb_shr(lmb_mul(half_e_q32, quarter_q12), 12));
     phi->sine_q30 += (uint32_t)lmb_shr(lmb_mul((int32_t)(phi->sine_q30 >> 15), lmb_shr(half_e_q32, 3)), 14);
+    zeros += arc->guard + 15 - drop;
+    if (zeros > 31) { /* hardly a turn at all: at most 2^-22 of f in 65536 pixels */
+        k = zeros > 45 ? 0 : k >> (zeros - 31);
+        zeros = 31;
+    }
     arc->kappa = (uint16_t)k;
-    arc->kappa_shift = (uint8_t)(zeros + arc->guard + 15 - drop);
+    arc->kappa_shift = (uint8_t)zeros;
 }
 
-/* kappa / 2 in Q2.30, scaled once: k 2^(16 - kappa_shift). */
-static uint32_t half_kappa_q30(const lmb_arc *arc)
-{
-    return (uint32_t)arc->kappa << 16 >> arc->kappa_shift;
-}
-
-/* The coefficients of the first f, from the angle theta between the start of the arc and the first pixel centre. */
+/* The coefficients of the first f: the pixel centre lies theta after the start of the arc. */
 static void place_first(lmb_arc *arc, const struct turn *theta, int32_t u_q28)
 {
     arc->f_from_rise_q30 = (int32_t)theta->sine_q30;
     arc->f_from_a_q30 = lmb_sub(lmb_mul_shr(u_q28, (int32_t)theta->sine_q30, 28), (int32_t)(theta->kappa_q28 << 1));
 }
 
-/* The coefficients of the first d, f one pixel on less f:
- *     (sin(theta + phi) - sin(theta)) / sin(psi) = W cos(theta) - P kappa/2                 W, P: sines over sin(psi)
- *     cos(theta) - cos(theta + phi)              = kappa/2 cos(theta) + sin^2(psi) W P */
-static void place_second(lmb_arc *arc, const struct turn *theta, const struct turn *phi, uint32_t half_kappa, int32_t u_q28,
-                         uint32_t sine_squared_q30)
+/* The coefficients of the first d, f one pixel on less f. With P, W = sin(theta), sin(phi) over sin(psi):
+ *     (sin(theta + phi) - sin(theta)) / sin(psi) = W cos(theta) - P kappa/2
+ *     cos(theta) - cos(theta + phi)              = cos(theta) kappa/2 + P W sin^2(psi)
+ * kappa/2 is at most 1.5 and loss = 1 - cos(theta) at most 1/2, since theta and phi together are at most 120 degrees. */
+static void place_second(lmb_arc *arc, const struct turn *theta, const struct turn *phi, uint32_t half_kappa_q30, int32_t u_q28)
 {
-    int32_t p_q30 = (int32_t)theta->sine_q30, w_q30 = (int32_t)phi->sine_q30;
-    int32_t across = lmb_mul_shr(lmb_mul_shr((int32_t)sine_squared_q30, p_q30, 30), w_q30, 30);
-    int32_t fall = lmb_add((int32_t)lessen(half_kappa, theta->kappa_q28 >> 1), across);
-    arc->d_from_rise_q30 = lmb_sub((int32_t)lessen((uint32_t)w_q30, theta->kappa_q28 >> 1),
-                                   lmb_mul_shr(p_q30, (int32_t)half_kappa, 30));
-    arc->d_from_a_q30 = lmb_sub(lmb_mul_shr(u_q28, arc->d_from_rise_q30, 28), fall);
+    int32_t p_q30 = (int32_t)theta->sine_q30, w_q30 = (int32_t)phi->sine_q30, both_q30 = lmb_mul_shr(p_q30, w_q30, 30);
+    uint32_t loss_q28 = theta->kappa_q28 >> 1;
+    int32_t across_q30 = lmb_mul_shr(lmb_mul_shr(u_q28, both_q30, 28), 0x20000000 - u_q28, 28);
+    int32_t fall_q30 = lmb_add((int32_t)lessen(half_kappa_q30, loss_q28), across_q30);
+    arc->d_from_rise_q30 = lmb_sub((int32_t)lessen((uint32_t)w_q30, loss_q28), lmb_mul_shr(p_q30, (int32_t)half_kappa_q30, 30));
+    arc->d_from_a_q30 = lmb_sub(lmb_mul_shr(u_q28, arc->d_from_rise_q30, 28), fall_q30);
 }
 
-/* Beyond LMB_ARC_U_MAX: straight from end to end. On arcs that short the slope is held under a half, so that a term of
- * opposite ends, which rises by two, is still in range one pixel after its end. */
-static void prepare_line(lmb_arc *arc, uint32_t inverse_q28, uint32_t start)
+/* phi for arcs of two pixels and more; sets kappa and guard. Returns kappa / 2 in Q2.30, scaled once. */
+static uint32_t prepare_turn(lmb_arc *arc, struct turn *phi, uint32_t ratio_q28, uint32_t sine_squared_q30, unsigned guard)
 {
-    arc->f_from_rise_q30 = (int32_t)(lmb_mulu(inverse_q28 >> 4, start) << 2 >> arc->guard);
-    arc->d_from_rise_q30 = lmb_min((int32_t)(inverse_q28 << 2), 0x1fe00000);
+    arc->guard = (uint8_t)guard;
+    *phi = turn_by(ratio_q28, sine_squared_q30, guard);
+    round_kappa(arc, phi);
+    return (uint32_t)arc->kappa << 16 >> arc->kappa_shift;
 }
 
-/* The angle theta of the first pixel centre is start/16 of the angle phi of a pixel; neither is more than psi. When no second
- * pixel fits, d stays zero. */
+/* One reciprocal serves both angles: ratio = G / length * 2^(shift - 1) is that of phi scaled, 16 G / length * 2^guard, from two
+ * pixels on, where guard = shift - 5; theta has start in the place of 16.
+ * Arcs that hold one pixel keep d = 0 and kappa = 0. Those under two pixels that hold two need no kappa to reach the second;
+ * their true one can be 3 and is too large for the step: with 1 in its place the third, which nobody sees, is f(1) - f(0) and in
+ * range. Without a turn (u = 0) terms run linearly; a slope under 7/16 keeps one whose ends are opposite in range until
+ * one pixel after its end. */
 void lmb_arc_prepare(lmb_arc *arc, int32_t u_q28, uint32_t length, uint32_t start)
 {
+    const int32_t turn_q28 = u_q28 <= LMB_ARC_U_MAX ? u_q28 : 0;
     unsigned shift;
     uint32_t inverse = lmb_reciprocal(length, &shift); /* 2^(31 + shift) / length */
-    bool turns = u_q28 <= LMB_ARC_U_MAX;
-    uint32_t ratio_q28 = turns ? lmb_mulu_hi(angle_over_sine(u_q28), inverse) : inverse >> 4;
-    uint32_t sine_squared_q30 = turns ? (uint32_t)lmb_mul_shr(u_q28, 0x20000000 - u_q28, 26) : 0;
-    struct turn phi, theta;
+    uint32_t ratio_q28 = lmb_mulu_hi(angle_over_sine(turn_q28), inverse), half_kappa_q30, first_q28;
+    uint32_t sine_squared_q30 = (uint32_t)lmb_mul_shr(turn_q28, 0x20000000 - turn_q28, 26);
+    struct turn theta = {0, 0}, phi;
+    start = start < length ? start : length;
+    first_q28 = lmb_mulu(ratio_q28 >> 4, start);
+    first_q28 = shift < 5 ? first_q28 << (5 - shift) : first_q28 >> (shift - 5);
+    if (start) theta = turn_by(first_q28, sine_squared_q30, 0);
+    arc->kappa = arc->kappa_shift = arc->guard = 0;
+    arc->d_from_a_q30 = arc->d_from_rise_q30 = 0;
+    place_first(arc, &theta, turn_q28);
+    if (start + 16 > length) return;
+    if (shift >= 5) {
+        half_kappa_q30 = prepare_turn(arc, &phi, ratio_q28, sine_squared_q30, shift - 5);
+    } else {
+        phi = turn_by(ratio_q28 << 1, sine_squared_q30, 0);
+        half_kappa_q30 = phi.kappa_q28 << 1;
+        arc->kappa = 8192;
+    }
+    place_second(arc, &theta, &phi, half_kappa_q30, turn_q28);
+    if (turn_q28 == 0) arc->d_from_rise_q30 = lmb_min(arc->d_from_rise_q30, 0x1c000000);
+}
+
+/* x a + y b in Q2.30. The products can pass two where their sum does not: they are halved, which costs 2^-29. */
+static int32_t blend(int32_t x_q30, int32_t a_q30, int32_t y_q30, int32_t b_q30)
+{
+    return lmb_shl(lmb_add(lmb_mul_shr(x_q30, a_q30, 31), lmb_mul_shr(y_q30, b_q30, 31)), 1);
+}
+
+/* a - 2^12 where the recurrence sees a: the step's f >> 13 rounds down and so swings f about 2^-18, not about zero. With the
+ * difference taken from there the arc still ends where it should, and errs by at most 2^-18 (1 / cos(psi/2) - 1) between. */
+void lmb_arc_start(const lmb_arc *arc, lmb_term *term, int32_t a_q30, int32_t rise_q30)
+{
+    term->f = lmb_add(a_q30, blend(a_q30, arc->f_from_a_q30, rise_q30, arc->f_from_rise_q30));
+    term->d = blend(lmb_sub(a_q30, 0x1000), arc->d_from_a_q30, rise_q30, arc->d_from_rise_q30);
+    term->c = 0;
+}
+
+lmb_turn lmb_arc_turn(int32_t u_q28, uint32_t length)
+{
+    const int32_t turn_q28 = u_q28 <= LMB_ARC_U_MAX ? u_q28 : 0;
+    uint32_t inverse, sine_squared_q30 = (uint32_t)lmb_mul_shr(turn_q28, 0x20000000 - turn_q28, 26);
+    unsigned shift, guard;
+    struct turn phi;
+    lmb_turn turn;
+    inverse = lmb_reciprocal(length > 16 ? length : 16, &shift);
+    guard = shift > 5 ? shift - 5 : 0;
+    phi = turn_by(lmb_mulu_hi(angle_over_sine(turn_q28), inverse) << (shift < 5), sine_squared_q30, guard);
+    turn.kappa_q30 = (guard ? phi.kappa_q28 >> (2 * guard - 2) : phi.kappa_q28 << 2);
+    turn.sine_q30 = phi.sine_q30 >> guard;
+    return turn;
+}
+
+int32_t lmb_excess_q28(lmb_vec v)
+{
+    return lmb_sub(lmb_dot_q28(v, v), 0x10000000);
+}
+
+/* With |a| = 1 + x and |b| = 1 + y the cosine is a.b (1 - x)(1 - y) but for squares of x and y, and x is half the excess of a.
+ * a.b (1 - excess/2) is never above one: |a| |b| (2 - (|a|^2 + |b|^2)/2) <= |a| |b| (2 - |a| |b|) <= 1. Held inside one all the same,
+ * for vectors that are far off; -1 is left out so that a rise of two fits Q2.30. */
+int32_t lmb_cosine_q30(lmb_vec a, lmb_vec b, int32_t excess_q28)
+{
+    int32_t dot_q28 = lmb_dot_q28(a, b), size_q15 = lmb_min(lmb_shr(dot_q28 < 0 ? lmb_sub(0, dot_q28) : dot_q28, 13), 0xffff);
+    int32_t half_q28 = lmb_mul_q16(excess_q28, (uint32_t)size_q15); /* |a.b| excess/2 */
+    dot_q28 = dot_q28 < 0 ? lmb_add(dot_q28, half_q28) : lmb_sub(dot_q28, half_q28);
+    return lmb_mul(lmb_max(lmb_min(dot_q28, 0x10000000), 1 - 0x10000000), 4);
+}
+
+void lmb_arc_between(lmb_arc *arc, lmb_vec from, lmb_vec to, uint32_t length, uint32_t start)
+{
+    int32_t cosine_q30 = lmb_cosine_q30(from, to, lmb_add(lmb_excess_q28(from), lmb_excess_q28(to)));
+    lmb_arc_prepare(arc, lmb_sub(0x10000000, lmb_shr(cosine_q30, 2)), length, start);
+}
+
+void lmb_arc_dot(const lmb_arc *arc, lmb_term *term, lmb_vec from, lmb_vec to, lmb_vec ray, uint32_t scale)
+{
+    int32_t excess_q28 = lmb_excess_q28(ray);
+    int32_t a_q30 = lmb_cosine_q30(from, ray, lmb_add(excess_q28, lmb_excess_q28(from)));
+    int32_t rise_q30 = lmb_sub(lmb_cosine_q30(to, ray, lmb_add(excess_q28, lmb_excess_q28(to))), a_q30);
+    if (scale < 65536) {
+        a_q30 = lmb_mul_q16(a_q30, scale);
+        rise_q30 = lmb_mul_q16(rise_q30, scale);
+    }
+    lmb_arc_start(arc, term, a_q30, rise_q30);
 }

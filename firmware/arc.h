@@ -5,18 +5,21 @@
 
 #include "lambent.h"
 
-/* Both mantissas below share a 32-bit product with f: |f| <= 1.0625 in Q2.30, so |f >> 13| <= 1.0625 * 2^17. */
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Its product with f >> 13 fits 32 bits as long as |f| <= 1.0625 in Q2.30. */
 #define LMB_ARC_KAPPA_MAX 15420
-LMB_STATIC_ASSERT((int64_t)LMB_ARC_KAPPA_MAX * 139264 <= INT32_MAX);
+LMB_STATIC_ASSERT(LMB_ARC_KAPPA_MAX <= INT32_MAX / 139264); /* 1.0625 * 2^17 */
 
 /* A term one pixel further along its arc: f(t+1) = 2 cos(phi) f(t) - f(t-1) (paper 001, eq. 7 and 14) in difference form
- * (Reinsch): f <- f + d, d <- d - kappa f with kappa = 4 sin^2(phi/2).
- *   Why     phi is small, and rounding 2 cos(phi) near two loses it; kappa has an exponent of its own and keeps 13.9 bits at any
- *           phi. d carries guard bits below those of f, since at m pixels it is m times smaller and is added m times.
- *   Bounds  kappa <= LMB_ARC_KAPPA_MAX and |f| <= 1.0625: the product stays inside int32_t. lmb_arc_start scales d to 1.3 at
- *           most. One pixel past the end f is still in range (see arc.c).
- *   Error   kappa's rounding is one of angle, at most 2^-15 psi. f >> 13 rounds down, which moves the centre that f swings about
- *           by 2^-18; lmb_arc_start allows for it.
+ * (Reinsch): f <- f + d, d <- d - kappa f with kappa = 2 - 2 cos(phi).
+ *   Why     phi is small, and rounding 2 cos(phi) near two loses it; kappa has an exponent of its own and 14 bits of mantissa at
+ *           any phi. d carries guard bits below those of f, since over m pixels it is m times smaller and is added m times.
+ *   Bounds  |f| <= 1.0625 wherever a pixel is seen and one pixel after; |d|, scaled by 2^guard, < 1.85 (firmware/arc.c)
+ *   Error   rounding kappa turns the angle by at most 2^-14.9 psi. f >> 13 rounds down, so that f swings about 2^-18 instead of
+ *           zero; lmb_arc_start allows for that.
  *   Cost    one multiplication (low word), three shifts, two additions */
 static inline void lmb_arc_step(const lmb_arc *arc, lmb_term *term)
 {
@@ -24,4 +27,66 @@ static inline void lmb_arc_step(const lmb_arc *arc, lmb_term *term)
     term->d = lmb_sub(term->d, lmb_shr(lmb_mul(arc->kappa, lmb_shr(term->f, 13)), arc->kappa_shift));
 }
 
+/* ------------------------------------------------------------------------------------------------- the forms of paper 001 itself
+ * For comparison; their set-ups are in arc_papers.c and are linked only where they are called. All start at the start of the
+ * arc. Lengths under a pixel count as one pixel; the other arguments are as for lmb_arc_prepare and lmb_arc_start. */
+
+/* kappa = 2 - 2 cos(phi) and sin(phi) / sin(psi) of an arc before any of the rounding that lmb_arc_prepare does, UQ2.30. */
+typedef struct lmb_turn {
+    uint32_t kappa_q30, sine_q30;
+} lmb_turn;
+lmb_turn lmb_arc_turn(int32_t u_q28, uint32_t length);
+
+/* The low 16 bits of x as a signed number: what a register of 16 bits would hold. */
+static inline int32_t lmb_wrap16(int32_t x) { return lmb_shr(lmb_shl_wrap(x, 16), 16); }
+
+/* Eq. 14 in 16 bits. f and the value before it in Q2.14, 2 cos(phi) in UQ2.14. Useful on short spans alone: the angle is lost
+ * below 0.6 degrees a pixel, and rounding grows with the square of the length until the state wraps (hosttest/report_arc.c). */
+typedef struct lmb_plain16 {
+    int32_t f, before, twice_cos;
+} lmb_plain16;
+void lmb_plain16_prepare(lmb_plain16 *term, int32_t u_q28, uint32_t length, int32_t a_q30, int32_t rise_q30);
+static inline void lmb_plain16_step(lmb_plain16 *term)
+{
+    int32_t next = lmb_sub(lmb_shr_round(lmb_mul(term->twice_cos, term->f), 14), term->before);
+    term->before = term->f;
+    term->f = lmb_wrap16(next);
+}
+
+/* Eq. 14 in 32 bits with a 64-bit product, f and cos(phi) in Q2.30. The sums wrap on purpose: 2 cos(phi) f can pass two by a
+ * hair, its difference from the value before is in range again. */
+typedef struct lmb_plain32 {
+    int32_t f, before, cosine;
+} lmb_plain32;
+void lmb_plain32_prepare(lmb_plain32 *term, int32_t u_q28, uint32_t length, int32_t a_q30, int32_t rise_q30);
+static inline void lmb_plain32_step(lmb_plain32 *term)
+{
+    int32_t half = lmb_mul_shr(term->cosine, term->f, 30);
+    int32_t next = lmb_add_wrap(lmb_sub_wrap(half, term->before), half);
+    term->before = term->f;
+    term->f = next;
+}
+
+/* A block of four pixels from the two before it (eq. 7 to 11), in 16 bits: f(t+k) = c[k-1] f(t) - c[k-2] f(t-1) with c[-1] = 1
+ * and c[k-1] = sin((k+1) phi) / sin(phi). So c[2] = 4 cos(phi) cos(2 phi), where eq. 10 as printed has 3 f(t-1) in the place of
+ * f(t-1), and c[3] = 4 cos^2(2 phi) + 2 cos(2 phi) - 1; neither (10) nor (11) as printed holds at phi = 0. Values in Q2.14,
+ * coefficients, up to 5, in Q4.12. Products stay under 5 * 2^27, their difference under 2^31. */
+typedef struct lmb_block4 {
+    int32_t f, before, c[4];
+} lmb_block4;
+void lmb_block4_prepare(lmb_block4 *term, int32_t u_q28, uint32_t length, int32_t a_q30, int32_t rise_q30);
+static inline void lmb_block4_step(lmb_block4 *term, int32_t next_q14[4])
+{
+    const int32_t f = term->f, before = term->before;
+    next_q14[0] = lmb_wrap16(lmb_shr_round(lmb_sub(lmb_mul(term->c[0], f), lmb_mul(4096, before)), 12));
+    next_q14[1] = lmb_wrap16(lmb_shr_round(lmb_sub(lmb_mul(term->c[1], f), lmb_mul(term->c[0], before)), 12));
+    next_q14[2] = lmb_wrap16(lmb_shr_round(lmb_sub(lmb_mul(term->c[2], f), lmb_mul(term->c[1], before)), 12));
+    next_q14[3] = lmb_wrap16(lmb_shr_round(lmb_sub(lmb_mul(term->c[3], f), lmb_mul(term->c[2], before)), 12));
+    term->before = next_q14[2];
+    term->f = next_q14[3];
+}
+
+#ifdef __cplusplus
+}
+#endif
 #endif

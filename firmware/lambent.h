@@ -97,7 +97,7 @@ int32_t lmb_half_distance_q28(lmb_vec a, lmb_vec b);
  *   return  UQ2.30 in (1 - 2^-26, 2): it fits int32_t
  *   error   at most LMB_RSQRT_MAX_ERROR relative, either way (every argument, hosttest/test_vec.c)
  *   cost    table of 96 bytes, two steps of Newton's method in six 32-bit products */
-#define LMB_RSQRT_MAX_ERROR (0.75 / (1L << 26))
+#define LMB_RSQRT_MAX_ERROR (0.8 / (1L << 26))
 uint32_t lmb_rsqrt_q30(uint32_t x);
 
 /* (x, y, z) scaled to unit length, without division or square root.
@@ -166,7 +166,7 @@ typedef struct lmb_lobe {
  *   return     0 or LMB_ERROR_VALUE
  * The largest error over every n and every angle, integer arithmetic, tolerance 0, is LMB_LOBE_MAX_ERROR
  * (exhaustive, hosttest/test_lobe.c). */
-#define LMB_LOBE_MAX_ERROR (1.0 / 700)
+#define LMB_LOBE_MAX_ERROR (1.0 / 1000)
 int lmb_lobe_prepare(lmb_lobe *lobe, enum lmb_lobe_kind kind, unsigned n, uint16_t tolerance);
 
 /* ----------------------------------------------------------------------------------------------------------- look: what light does */
@@ -188,7 +188,7 @@ typedef struct lmb_light {
 
 /* What is computed for each pixel. */
 enum lmb_model {
-    LMB_MODEL_FLAT,    /* one intensity for a triangle, at the normalised sum of its normals */
+    LMB_MODEL_FLAT,    /* one intensity for a triangle, at the normalised sum of its normals; of a mesh, at the face's own normal */
     LMB_MODEL_GOURAUD, /* diffuse and specular at the corners, linear between */
     LMB_MODEL_DIFFUSE, /* N.L for each pixel, no highlight */
     LMB_MODEL_GLOSS    /* N.L and the lobe of N.H for each pixel */
@@ -219,6 +219,9 @@ typedef struct lmb_look {
 int lmb_look_prepare(lmb_look *look, const lmb_material *material, const lmb_light *lights, unsigned light_count,
                      enum lmb_model model, enum lmb_step_kind step);
 
+/* Takes another lobe than the tuned one, or fewer squarings where tolerance allows: see lmb_lobe_prepare. Returns as that does. */
+int lmb_look_lobe(lmb_look *look, enum lmb_lobe_kind kind, uint16_t tolerance);
+
 /* Light and half vectors in the space of the normals that they meet: turned once per mesh, so that normals never are. */
 typedef struct lmb_rays {
     struct lmb_ray {
@@ -237,27 +240,56 @@ typedef struct lmb_term {
     int32_t f, d, c;
 } lmb_term;
 
-/* What all terms of one arc share: the turn of the normal from pixel to pixel. Fields may change without notice. */
+/* An arc: the normal turns evenly from pixel to pixel, by phi = psi / m over m pixels, and each dot product with it obeys
+ * f(t+1) = 2 cos(phi) f(t) - f(t-1) (paper 001, eq. 7 and 14). Fields may change without notice. */
 typedef struct lmb_arc {
-    uint16_t kappa;      /* mantissa of 4 sin^2(phi/2), 14 bits */
-    uint8_t kappa_shift; /* its exponent: see lmb_arc_step */
-    uint8_t guard;       /* extra fraction bits of d */
-    int32_t w;           /* sin(phi) / sin(psi), fitted to the rounded kappa */
-    uint8_t w_shift;
+    uint16_t kappa;            /* mantissa of 4 sin^2(phi/2): what lmb_arc_step needs */
+    uint8_t kappa_shift;       /* its exponent */
+    uint8_t guard;             /* fraction bits that d has beyond those of f */
+    int32_t f_from_a_q30;      /* the first f is a + a f_from_a + rise f_from_rise, */
+    int32_t f_from_rise_q30;   /* the first d is a d_from_a + rise d_from_rise, times 2^guard */
+    int32_t d_from_a_q30;
+    int32_t d_from_rise_q30;
 } lmb_arc;
 
 /* Set-up of an arc from the angle psi between its end normals and its length: neither arccos, sine, root nor division.
- *   u_q28   1 - cos(psi) as lmb_half_distance_q28 gives it, [0, 2]. Up to LMB_ARC_U_MAX (psi = 120 degrees) the normal turns
- *           evenly; beyond, where the turn loses its direction, terms run linearly instead
- *   length  of the arc in 1/16 pixel, 1 to 65536 */
+ *   u_q28   1 - cos(psi), UQ4.28 in [0, 2]. Up to LMB_ARC_U_MAX (psi = 120 degrees) the normal turns evenly; beyond, where the
+ *           turn loses its direction, terms run linearly instead
+ *   length  of the arc in 1/16 pixel, 1 to LMB_ARC_LENGTH_MAX
+ *   start   distance of the first pixel centre from the start of the arc in 1/16 pixel, 0 to 16; past the end of an arc that
+ *           is shorter than that: its end
+ * Largest error of a term of amplitude one from first to last pixel, hosttest/test_arc.c: LMB_ARC_MAX_ERROR up to 90 degrees
+ * and 1024 pixels, LMB_ARC_WIDE_MAX_ERROR up to 120 degrees, and twice that up to 4096 pixels. */
 #define LMB_ARC_U_MAX 0x18000000
-void lmb_arc_prepare(lmb_arc *arc, int32_t u_q28, uint32_t length);
+#define LMB_ARC_LENGTH_MAX 0x100000
+#define LMB_ARC_MAX_ERROR (1.0 / (1 << 14))
+#define LMB_ARC_WIDE_MAX_ERROR (1.0 / (1 << 13))
+void lmb_arc_prepare(lmb_arc *arc, int32_t u_q28, uint32_t length, uint32_t start);
 
 /* Starts a term on an arc.
- *   a_q30       its value at the start of the arc, [-1.0001, 1.0001] in Q2.30
- *   rise_q30    value at the end minus value at the start, from a difference of vectors rather than of values
- *   start       distance of the first pixel centre from the start of the arc in 1/16 pixel, 0 to 16 */
-void lmb_arc_start(const lmb_arc *arc, lmb_term *term, int32_t a_q30, int32_t rise_q30, uint32_t start);
+ *   a_q30     its value at the start of the arc, Q2.30
+ *   rise_q30  value at the end minus value at the start, Q2.30
+ * Values and angle must belong together: a cos + b sin with an amplitude of at most 1.06, as dot products of vectors that are
+ * unit within 5 % have. To scale a term, scale a and rise. */
+void lmb_arc_start(const lmb_arc *arc, lmb_term *term, int32_t a_q30, int32_t rise_q30);
+
+/* The same from the two normals at the ends of the arc, in Q2.14. Rounded vectors are not quite unit, which at n = 1000 is seen;
+ * lmb_arc_between and lmb_arc_dot take them as if they were normalised, up to the square of what they lack.
+ * Vectors more than 5 % off, the zero vector and opposite normals give some value in [-1, 1] at both ends.
+ *   ray    unit vector, Q2.14: the term is its dot product with the normal
+ *   scale  UQ1.16 in [0, 65536]: factor of the term
+ * Error of the term with scale 65536: LMB_SPAN_DIFFUSE_MAX_ERROR up to 90 degrees and 1024 pixels. What a highlight makes of it,
+ * beside the lobe's own error: LMB_SPAN_SPECULAR_MAX_ERROR (n up to 256), LMB_SPAN_GLOSS_MAX_ERROR (n up to 1000). */
+#define LMB_SPAN_DIFFUSE_MAX_ERROR (1.0 / 2000)
+#define LMB_SPAN_SPECULAR_MAX_ERROR (1.0 / 255)
+#define LMB_SPAN_GLOSS_MAX_ERROR (2.0 / 255)
+void lmb_arc_between(lmb_arc *arc, lmb_vec from, lmb_vec to, uint32_t length, uint32_t start);
+void lmb_arc_dot(const lmb_arc *arc, lmb_term *term, lmb_vec from, lmb_vec to, lmb_vec ray, uint32_t scale);
+
+/* The squared length of a vector less one, Q4.28, exact; and the cosine of the angle between two vectors, Q2.30, from the sum of
+ * their excesses: what lmb_arc_between and lmb_arc_dot are built of, for callers who keep the excess of a vertex. */
+int32_t lmb_excess_q28(lmb_vec v);
+int32_t lmb_cosine_q30(lmb_vec a, lmb_vec b, int32_t excess_q28);
 
 /* ------------------------------------------------------------------------------------------------------------ triangles into spans */
 

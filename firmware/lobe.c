@@ -1,8 +1,16 @@
 /* SPDX-License-Identifier: MIT */
-/* Prepares a lobe: the constants of W_m, or tuned ones from cubics in 2^m / n. */
+/* Prepares a lobe: the constants of W_m, or tuned ones from a table.
+ *
+ * Paper 000 squares an affine function of the cosine, 1 - (n / m) (1 - c), log2 m times; paper 003 takes a parabola with the least
+ * largest error. Here the parabola is inside the squarings: one constant after the first of them (or the second), and that with
+ * the slope is chosen for the least largest error of the whole. Where the centre is to be one that leaves two numbers for each n,
+ * which are smooth in 2^m / n: cubics in it, and so no division and 54 bytes for the 900 lobes from n = 90 on.
+ *
+ * For the largest n the crossed form errs 0.0007 where the plain one errs 0.0010 and ends in a step of as much; below n = 90 the
+ * plain one is better. With three multiplications the same holds from n = 28 on. */
 #include "lambent.h"
 
-/* Shininess served, form, and where in lobe_curves its numbers start. A row for one n has four constants, another three cubics. */
+/* Shininess served, form, and where in lobe_curves its numbers start: four constants for one n, three cubics for a range. */
 typedef struct lobe_row {
     uint16_t first, last;
     uint8_t form, curves;
@@ -80,7 +88,7 @@ int lmb_lobe_prepare(lmb_lobe *lobe, enum lmb_lobe_kind kind, unsigned n, uint16
 {
     static const lobe_constants published = {16384, 16384, 0, 65535};
     const lobe_row *row, *end = lobe_rows + LOBE_ROWS;
-    int32_t best = 65535;
+    int32_t best = 65536; /* above any tolerance, so that the first row always serves */
     if (n < 1 || n > LMB_SHININESS_MAX || (unsigned)kind > LMB_LOBE_W16) return LMB_ERROR_VALUE;
     if (kind != LMB_LOBE_TUNED) {
         lobe_set(lobe, n, (unsigned)kind, &published);

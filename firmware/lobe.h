@@ -19,8 +19,11 @@
 
 #define LMB_LOBE_ONE 32768
 
-/* Largest magnitude of what lmb_lobe_argument returns. */
+/* Bound of the magnitude of what lmb_lobe_argument returns. */
 #define LMB_LOBE_ARGUMENT_MAX (1L << 27)
+
+/* Largest difference between a lobe and its own polynomial in real arithmetic, the rounding of s to Q16.16 included. */
+#define LMB_LOBE_ROUNDING (1.0 / 3000)
 
 /* s of the lobe at v = 1 - cos.
  *   v_q30   Q2.30; any value: what is below 0 or beyond 2 by rounding gives an s beyond the ends, which the lobe meets

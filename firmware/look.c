@@ -58,6 +58,11 @@ int lmb_look_prepare(lmb_look *look, const lmb_material *material, const lmb_lig
     return error;
 }
 
+int lmb_look_lobe(lmb_look *look, enum lmb_lobe_kind kind, uint16_t tolerance)
+{
+    return lmb_lobe_prepare(&look->lobe, kind, look->lobe.shininess, tolerance);
+}
+
 void lmb_rays_prepare(lmb_rays *rays, const lmb_look *look, const lmb_matrix *rotation)
 {
     unsigned i;

@@ -44,6 +44,28 @@ void lmb_mesh_begin(lmb_walk *walk, const lmb_mesh *mesh, const lmb_pose *pose, 
     lmb_rays_prepare(&walk->rays, look, &pose->rotation);
 }
 
+/* Bits that edges keep for the cross product: two products of 14 bits each, less than 2^29. */
+#define FACE_BITS 14
+
+/* The normal of a face, from its corners: the cross product of two edges, normalised. Of a face without area: some unit vector. */
+static lmb_vec face_normal(const lmb_mesh *mesh, const uint16_t *index)
+{
+    const lmb_vec a = mesh->positions[index[0]], b = mesh->positions[index[1]], c = mesh->positions[index[2]];
+    int32_t e[6], largest = 0;
+    unsigned size, i;
+    e[0] = lmb_sub(b.x, a.x);
+    e[1] = lmb_sub(b.y, a.y);
+    e[2] = lmb_sub(b.z, a.z);
+    e[3] = lmb_sub(c.x, a.x);
+    e[4] = lmb_sub(c.y, a.y);
+    e[5] = lmb_sub(c.z, a.z);
+    for (i = 0; i < 6; i++) largest |= e[i] < 0 ? -e[i] : e[i];
+    size = 32u - lmb_clz32((uint32_t)largest);
+    for (i = 0; i < 6 && size > FACE_BITS; i++) e[i] = lmb_shr_round(e[i], size - FACE_BITS);
+    return lmb_normalise(lmb_sub(lmb_mul(e[1], e[5]), lmb_mul(e[2], e[4])), lmb_sub(lmb_mul(e[2], e[3]), lmb_mul(e[0], e[5])),
+                         lmb_sub(lmb_mul(e[0], e[4]), lmb_mul(e[1], e[3])));
+}
+
 /* Cuts a triangle that is not wholly on the screen; the walk hands the polygon out as a fan. */
 static void clip(lmb_walk *walk, const uint16_t *index)
 {
@@ -51,10 +73,22 @@ static void clip(lmb_walk *walk, const uint16_t *index)
     int i;
     for (i = 0; i < 3; i++) {
         corner[i].p = lmb_mesh_place(walk->mesh, walk->pose, index[i]);
-        corner[i].normal = walk->mesh->normals[index[i]];
+        corner[i].normal = walk->look->model == LMB_MODEL_FLAT ? face_normal(walk->mesh, index) : walk->mesh->normals[index[i]];
     }
     walk->corners = (uint8_t)lmb_clip(walk->camera, corner, walk->polygon);
     walk->fan = 1;
+}
+
+/* For flat shading: the corners again, each with the normal of the face. */
+static void flatten(lmb_walk *walk, const uint16_t *index, const lmb_vertex *corner[3])
+{
+    const lmb_vec normal = face_normal(walk->mesh, index);
+    int i;
+    for (i = 0; i < 3; i++) {
+        if (corner[i] != &walk->polygon[i]) walk->polygon[i] = *corner[i];
+        walk->polygon[i].normal = normal;
+        corner[i] = &walk->polygon[i];
+    }
 }
 
 bool lmb_mesh_next(lmb_walk *walk, lmb_triangle *triangle)
@@ -80,7 +114,10 @@ bool lmb_mesh_next(lmb_walk *walk, lmb_triangle *triangle)
         }
         if (corner[0]->x == NOT_ON_SCREEN || corner[1]->x == NOT_ON_SCREEN || corner[2]->x == NOT_ON_SCREEN) {
             clip(walk, index);
-        } else if (lmb_triangle_begin(triangle, walk->look, &walk->rays, corner[0], corner[1], corner[2], &walk->window)) {
+            continue;
+        }
+        if (walk->look->model == LMB_MODEL_FLAT) flatten(walk, index, corner);
+        if (lmb_triangle_begin(triangle, walk->look, &walk->rays, corner[0], corner[1], corner[2], &walk->window)) {
             return true;
         }
     }

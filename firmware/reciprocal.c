@@ -4,8 +4,10 @@
 
 #include "../tables/reciprocal_table.h"
 
+LMB_STATIC_ASSERT(sizeof reciprocal_table == 128);
+
 /* With m = x / 2^shift in [1, 2):
- *   guess  r0, 9 bits, |1 - m r0| = |e0| < 2^-7.5 (tables/gen_reciprocal.c)
+ *   guess  r0, 9 bits, |1 - m r0| = |e0| < 2^-7.7 (tables/gen_reciprocal.c)
  *   step   r1 = r0 (1 + e0), 17 bits: below 1/m by e0^2 and the roundings, all of which go down
  *   step   r2 = r1 (1 + e1), below 1/m by e1^2 and roundings
  * m r1 needs 48 bits, but its top ones are known: it lies in (1 - 2^-15, 1], and so the low word of the product alone

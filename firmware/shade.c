@@ -211,17 +211,17 @@ void lmb_shade_begin(lmb_triangle *t, const lmb_lattice *lattice, const lmb_vert
 
 void lmb_shade_arc(const lmb_triangle *t, lmb_span *span, lmb_vec from, lmb_vec to, uint32_t length, uint32_t start)
 {
+    /* s = slope f + (alpha - slope), both parts over 2^exponent; slope < 2^(slope_shift + 1), so s is in (-2, 2) then */
     const lmb_lobe *lobe = &t->look->lobe;
-    /* s = slope f + (alpha - slope); |slope f| < 2^exponent, both ends of s inside 2 * 2^exponent */
-    unsigned exponent = (unsigned)lmb_max(lobe->slope_shift + 1, 0), i;
-    lmb_arc_between(&span->arc, from, to, length);
+    int32_t above = lobe->slope_shift + 1, exponent = lmb_max(above, 0);
+    uint32_t scale_q16 = (uint32_t)lobe->slope >> (exponent - above);
+    unsigned i;
+    lmb_arc_between(&span->arc, from, to, length, start);
     for (i = 0; i < t->look->lights; i++) {
-        lmb_arc_dot(&span->arc, &span->diffuse[i], from, to, t->rays->light[i].direction, start);
+        lmb_arc_dot(&span->arc, &span->diffuse[i], from, to, t->rays->light[i].direction, 65536);
         if (!(t->specular_on >> i & 1u)) continue;
-        lmb_arc_near(&span->arc, &span->specular[i], from, to, t->rays->light[i].half, start);
-        lmb_term_scale(&span->specular[i], lobe->slope, lobe->slope_shift + 1 - (int32_t)exponent);
-        span->specular[i].c = lmb_sub(lmb_shr(lobe->alpha_q30, exponent),
-                                      lmb_shl(lobe->slope, (unsigned)(15 + lobe->slope_shift - (int32_t)exponent)));
+        lmb_arc_dot(&span->arc, &span->specular[i], from, to, t->rays->light[i].half, scale_q16);
+        span->specular[i].c = lmb_sub(lmb_shr(lobe->alpha_q30, (unsigned)exponent), (int32_t)(scale_q16 << 14));
         span->exponent[i] = (uint8_t)exponent;
     }
 }

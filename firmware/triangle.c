@@ -51,20 +51,22 @@ static int32_t component_rise(int32_t from, int32_t to)
     return lmb_mul(lmb_max(lmb_min(rise, 32767), -32767), 65536);
 }
 
+static void edge_arc_step(lmb_edge_arc *e)
+{
+    lmb_arc_step(&e->arc, &e->component[0]);
+    lmb_arc_step(&e->arc, &e->component[1]);
+    lmb_arc_step(&e->arc, &e->component[2]);
+}
+
 static void edge_arc_begin(lmb_edge_arc *e, const lmb_vertex *top, const lmb_vertex *bottom, int32_t row)
 {
     const lmb_vec a = top->normal, b = bottom->normal;
-    uint32_t start = row_start(top);
     int32_t skip = lmb_sub(row, lmb_row_at(top->y));
-    lmb_arc_between(&e->arc, a, b, (uint32_t)lmb_sub(bottom->y, top->y));
-    lmb_arc_start(&e->arc, &e->component[0], lmb_mul(a.x, 65536), component_rise(a.x, b.x), start);
-    lmb_arc_start(&e->arc, &e->component[1], lmb_mul(a.y, 65536), component_rise(a.y, b.y), start);
-    lmb_arc_start(&e->arc, &e->component[2], lmb_mul(a.z, 65536), component_rise(a.z, b.z), start);
-    for (; skip > 0; skip--) {
-        lmb_arc_step(&e->arc, &e->component[0]);
-        lmb_arc_step(&e->arc, &e->component[1]);
-        lmb_arc_step(&e->arc, &e->component[2]);
-    }
+    lmb_arc_between(&e->arc, a, b, (uint32_t)lmb_sub(bottom->y, top->y), row_start(top));
+    lmb_arc_start(&e->arc, &e->component[0], lmb_mul(a.x, 65536), component_rise(a.x, b.x));
+    lmb_arc_start(&e->arc, &e->component[1], lmb_mul(a.y, 65536), component_rise(a.y, b.y));
+    lmb_arc_start(&e->arc, &e->component[2], lmb_mul(a.z, 65536), component_rise(a.z, b.z));
+    for (; skip > 0; skip--) edge_arc_step(e);
 }
 
 static int16_t component_now(const lmb_term *term)
@@ -79,13 +81,6 @@ static lmb_vec edge_arc_normal(const lmb_edge_arc *e)
     n.y = component_now(&e->component[1]);
     n.z = component_now(&e->component[2]);
     return n;
-}
-
-static void edge_arc_step(lmb_edge_arc *e)
-{
-    lmb_arc_step(&e->arc, &e->component[0]);
-    lmb_arc_step(&e->arc, &e->component[1]);
-    lmb_arc_step(&e->arc, &e->component[2]);
 }
 
 /* ----------------------------------------------------------------------------------------------------------------------- set-up */

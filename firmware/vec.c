@@ -21,10 +21,11 @@ int32_t lmb_half_distance_q28(lmb_vec a, lmb_vec b)
  * word alone to give h, where a 64-bit product is a call on cores like M0+.
  *   y0    table, 9 bits; |h0| < 2^-5.9 (tables/gen_rsqrt.c), below 2^30.1 in Q36: the low word holds it
  *   h0    has 2^-13 added: Newton's step falls short by 3/8 h0^2, 0 to 2^-13.2, and so by half of that, either way
- *   y1    Q14 in [2^14, 2^15 + 2^3); with its rounding |h1| < 2^-12.9, below 2^29.1 in Q42
+ *   y1    Q14 in (2^14, 2^15); with its rounding |h1| < 2^-12.7, below 2^29.3 in Q42
  *   t     x y1, Q28
- *   h1    1 - t y1, Q42; from bit 15 on times y1: below 2^14.1 * 2^15 in the domain, 2^16 * 2^15 outside
+ *   h1    1 - t y1, Q42; from bit 15 on times y1: below 2^14.3 * 2^15; outside the domain 2^16 * 2^14.1
  * What remains is 3/8 h1^2 and the roundings of t and h1. */
+LMB_STATIC_ASSERT(sizeof rsqrt_table == 128 - 32);
 uint32_t lmb_rsqrt_q30(uint32_t x)
 {
     uint32_t place = (x >> 23) - 32, y0_q8 = 256u + rsqrt_table[place < 96 ? place : 95];
@@ -54,8 +55,8 @@ static int16_t scale(int32_t a_q30, uint32_t r_q30, unsigned down)
  * complement stands for the magnitude of a negative one, which lets -2^30 through as well.
  *   s     |a|^2 / 2^32 + 4 - less than 4.5, so never under 2^26; at most 3 * 2^28 + 4
  *   r     from s or 4 s, whichever lies in [2^28, 2^30)
- * s is off by at most 4 in 2^26, which moves r by 2^-25, and r by LMB_RSQRT_MAX_ERROR: together 2^-24.4, or 2^-10.4 units of
- * the result beyond its rounding. */
+ * s is off by at most 4 in 2^26, which moves r by 2^-25, and r by LMB_RSQRT_MAX_ERROR: together under 2^-24.4, or 2^-10.4
+ * units of the result beyond its rounding. */
 lmb_vec lmb_normalise(int32_t x, int32_t y, int32_t z)
 {
     lmb_vec unit = {0, 0, 16384};

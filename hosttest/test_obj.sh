@@ -290,6 +290,12 @@ check "cube of quadrangles, by angle: all towards the corners" "$(sizes) $(compo
 run in.obj --normals area
 check "cube of quadrangles, by area: all towards the corners" "$(sizes) $(components)" "8 12 24"
 cp in.obj cube.obj
+awk '$1 == "f" { print "f", $2, $3, $4; print "f", $4, $5, $2; next } { print }' cube.obj >in.obj
+run in.obj --normals angle
+check "cube of triangles, by angle: all towards the corners" "$(sizes) $(components)" "8 12 24"
+run in.obj --normals area
+check "cube of triangles, by area: depends on the cut" "$(sizes) $(components)" "8 12 0"
+cp cube.obj in.obj
 run in.obj --centre
 check "--centre" "$(grep -c ' -1 to 1$' out.c) $(grep -c 'scale     -14:' out.c)" "3 1"
 run in.obj --fit

@@ -32,6 +32,7 @@ static void clear_progress(struct reader *r)
 {
     const struct obj_options *o = r->options;
     if (o && o->progress && o->terminal && r->percent > 0) fprintf(o->progress, "\r%*s\r", (int)strlen(r->model->path) + 8, "");
+    r->percent = 0;
 }
 
 static int fail_at(struct reader *r, uint32_t line, const char *format, ...)
