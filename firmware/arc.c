@@ -134,8 +134,8 @@ static uint32_t prepare_turn(lmb_arc *arc, struct turn *phi, uint32_t ratio_q28,
  * pixels on, where guard = shift - 5; theta has start in the place of 16.
  * Arcs that hold one pixel keep d = 0 and kappa = 0. Those under two pixels that hold two need no kappa to reach the second;
  * their true one can be 3 and is too large for the step: with 1 in its place the third, which nobody sees, is f(1) - f(0) and in
- * range. Without a turn (u = 0) terms run linearly; a slope under 7/16 keeps one whose ends are opposite in range until
- * one pixel after its end. */
+ * range. Without a turn (u = 0) terms run linearly; under four pixels their slope is held under 7/16 of the rise, which
+ * keeps a term whose ends are opposite in range until one pixel after its end. */
 void lmb_arc_prepare(lmb_arc *arc, int32_t u_q28, uint32_t length, uint32_t start)
 {
     const int32_t turn_q28 = u_q28 <= LMB_ARC_U_MAX ? u_q28 : 0;
@@ -160,21 +160,22 @@ void lmb_arc_prepare(lmb_arc *arc, int32_t u_q28, uint32_t length, uint32_t star
         arc->kappa = 8192;
     }
     place_second(arc, &theta, &phi, half_kappa_q30, turn_q28);
-    if (turn_q28 == 0) arc->d_from_rise_q30 = lmb_min(arc->d_from_rise_q30, 0x1c000000);
+    if (turn_q28 == 0 && shift < 6) arc->d_from_rise_q30 = lmb_min(arc->d_from_rise_q30, 0x1c000000);
 }
 
-/* x a + y b in Q2.30. The products can pass two where their sum does not: they are halved, which costs 2^-29. */
-static int32_t blend(int32_t x_q30, int32_t a_q30, int32_t y_q30, int32_t b_q30)
+/* Half of x a + y b in Q2.30: products can pass two where f and d do not. */
+static int32_t half_of(int32_t x_q30, int32_t a_q30, int32_t y_q30, int32_t b_q30)
 {
-    return lmb_shl(lmb_add(lmb_mul_shr(x_q30, a_q30, 31), lmb_mul_shr(y_q30, b_q30, 31)), 1);
+    return lmb_add(lmb_mul_shr(x_q30, a_q30, 31), lmb_mul_shr(y_q30, b_q30, 31));
 }
 
 /* a - 2^12 where the recurrence sees a: the step's f >> 13 rounds down and so swings f about 2^-18, not about zero. With the
  * difference taken from there the arc still ends where it should, and errs by at most 2^-18 (1 / cos(psi/2) - 1) between. */
 void lmb_arc_start(const lmb_arc *arc, lmb_term *term, int32_t a_q30, int32_t rise_q30)
 {
-    term->f = lmb_add(a_q30, blend(a_q30, arc->f_from_a_q30, rise_q30, arc->f_from_rise_q30));
-    term->d = blend(lmb_sub(a_q30, 0x1000), arc->d_from_a_q30, rise_q30, arc->d_from_rise_q30);
+    int32_t half = half_of(a_q30, arc->f_from_a_q30, rise_q30, arc->f_from_rise_q30);
+    term->f = lmb_add(lmb_add(a_q30, half), half);
+    term->d = lmb_shl(half_of(lmb_sub(a_q30, 0x1000), arc->d_from_a_q30, rise_q30, arc->d_from_rise_q30), 1);
     term->c = 0;
 }
 

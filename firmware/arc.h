@@ -53,8 +53,8 @@ static inline void lmb_plain16_step(lmb_plain16 *term)
     term->f = lmb_wrap16(next);
 }
 
-/* Eq. 14 in 32 bits with a 64-bit product, f and cos(phi) in Q2.30. The sums wrap on purpose: 2 cos(phi) f can pass two by a
- * hair, its difference from the value before is in range again. */
+/* Eq. 14 in 32 bits with a 64-bit product, f and cos(phi) in Q2.30. The product rounds down and counts twice, hence the one. The
+ * sums wrap on purpose: 2 cos(phi) f can pass two by a hair, its difference from the value before is in range again. */
 typedef struct lmb_plain32 {
     int32_t f, before, cosine;
 } lmb_plain32;
@@ -62,26 +62,28 @@ void lmb_plain32_prepare(lmb_plain32 *term, int32_t u_q28, uint32_t length, int3
 static inline void lmb_plain32_step(lmb_plain32 *term)
 {
     int32_t half = lmb_mul_shr(term->cosine, term->f, 30);
-    int32_t next = lmb_add_wrap(lmb_sub_wrap(half, term->before), half);
+    int32_t next = lmb_add_wrap(lmb_sub_wrap(half, term->before), lmb_add_wrap(half, 1));
     term->before = term->f;
     term->f = next;
 }
 
-/* A block of four pixels from the two before it (eq. 7 to 11), in 16 bits: f(t+k) = c[k-1] f(t) - c[k-2] f(t-1) with c[-1] = 1
- * and c[k-1] = sin((k+1) phi) / sin(phi). So c[2] = 4 cos(phi) cos(2 phi), where eq. 10 as printed has 3 f(t-1) in the place of
- * f(t-1), and c[3] = 4 cos^2(2 phi) + 2 cos(2 phi) - 1; neither (10) nor (11) as printed holds at phi = 0. Values in Q2.14,
- * coefficients, up to 5, in Q4.12. Products stay under 5 * 2^27, their difference under 2^31. */
+/* A block of four pixels from the two before it in 16 bits, formats as for lmb_plain16. Eq. 7 and 9 give the first two; (10)
+ * and (11) as printed do not hold, not even at phi = 0. Derived again, in the paper's own operands:
+ *     f(t+3) = cos(2 phi) (4 cos(phi) f(t) - 2 f(t-1)) - f(t-1)                                      = 2 cos(2 phi) f(t+1) - f(t-1)
+ *     f(t+4) = (4 cos^2(2 phi) + 2 cos(2 phi) - 1) f(t) - 4 cos(phi) cos(2 phi) f(t-1)     = 2 cos(2 phi) f(t+2) - f(t)
+ * The right-hand sides are what is computed: five multiplications for four pixels, each product at most 2^30. */
 typedef struct lmb_block4 {
-    int32_t f, before, c[4];
+    int32_t f, before, twice_cos, twice_cos2;
 } lmb_block4;
 void lmb_block4_prepare(lmb_block4 *term, int32_t u_q28, uint32_t length, int32_t a_q30, int32_t rise_q30);
 static inline void lmb_block4_step(lmb_block4 *term, int32_t next_q14[4])
 {
     const int32_t f = term->f, before = term->before;
-    next_q14[0] = lmb_wrap16(lmb_shr_round(lmb_sub(lmb_mul(term->c[0], f), lmb_mul(4096, before)), 12));
-    next_q14[1] = lmb_wrap16(lmb_shr_round(lmb_sub(lmb_mul(term->c[1], f), lmb_mul(term->c[0], before)), 12));
-    next_q14[2] = lmb_wrap16(lmb_shr_round(lmb_sub(lmb_mul(term->c[2], f), lmb_mul(term->c[1], before)), 12));
-    next_q14[3] = lmb_wrap16(lmb_shr_round(lmb_sub(lmb_mul(term->c[3], f), lmb_mul(term->c[2], before)), 12));
+    int32_t second = lmb_sub(lmb_shr_round(lmb_mul(term->twice_cos2, f), 14), lmb_shr_round(lmb_mul(term->twice_cos, before), 14));
+    next_q14[0] = lmb_wrap16(lmb_sub(lmb_shr_round(lmb_mul(term->twice_cos, f), 14), before));
+    next_q14[1] = lmb_wrap16(lmb_add(second, f));
+    next_q14[2] = lmb_wrap16(lmb_sub(lmb_shr_round(lmb_mul(term->twice_cos2, next_q14[0]), 14), before));
+    next_q14[3] = lmb_wrap16(lmb_sub(lmb_shr_round(lmb_mul(term->twice_cos2, next_q14[1]), 14), f));
     term->before = next_q14[2];
     term->f = next_q14[3];
 }

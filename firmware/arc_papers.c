@@ -10,9 +10,9 @@ static int32_t begin(int32_t u_q28, uint32_t length, int32_t a_q30, int32_t rise
     const int32_t turn_q28 = u_q28 <= LMB_ARC_U_MAX ? u_q28 : 0;
     const lmb_turn turn = lmb_arc_turn(u_q28, length);
     int32_t cosine_q30 = lmb_signed(0x40000000u - (turn.kappa_q30 >> 1));
-    int32_t half = lmb_shr(lmb_add(lmb_shr(rise_q30, 1), lmb_mul_shr(turn_q28, a_q30, 29)), 0);
-    half = lmb_sub(lmb_mul_shr(a_q30, cosine_q30, 31), lmb_mul_shr(half, (int32_t)turn.sine_q30, 30));
-    *before_q30 = lmb_mul(lmb_max(lmb_min(half, 0x3fffffff), -0x3fffffff), 2);
+    int32_t across = lmb_add(lmb_shr(rise_q30, 1), lmb_mul_shr(turn_q28, a_q30, 29)); /* these are halves, to leave room */
+    int32_t before = lmb_sub(lmb_mul_shr(a_q30, cosine_q30, 31), lmb_mul_shr(across, (int32_t)turn.sine_q30, 30));
+    *before_q30 = lmb_mul(lmb_max(lmb_min(before, 0x3fffffff), -0x3fffffff), 2);
     return cosine_q30;
 }
 
@@ -39,12 +39,9 @@ void lmb_plain32_prepare(lmb_plain32 *term, int32_t u_q28, uint32_t length, int3
 void lmb_block4_prepare(lmb_block4 *term, int32_t u_q28, uint32_t length, int32_t a_q30, int32_t rise_q30)
 {
     int32_t before_q30, c_q30 = begin(u_q28, length, a_q30, rise_q30, &before_q30);
-    int32_t c2_q28 = lmb_sub(lmb_mul_shr(c_q30, c_q30, 31), 0x10000000); /* cos(2 phi) = 2 cos^2(phi) - 1 */
-    int32_t c2_squared_q28 = lmb_mul_shr(c2_q28, c2_q28, 28);
+    int32_t c2_q29 = lmb_sub(lmb_mul_shr(c_q30, c_q30, 30), 0x20000000); /* cos(2 phi) = 2 cos^2(phi) - 1 */
     term->f = to_q14(a_q30);
     term->before = to_q14(before_q30);
-    term->c[0] = lmb_shr_round(c_q30, 17);
-    term->c[1] = lmb_shr_round(lmb_add(c2_q28, 0x8000000), 15);
-    term->c[2] = lmb_shr_round(lmb_mul_shr(c_q30, c2_q28, 30), 14);
-    term->c[3] = lmb_shr_round(lmb_sub(lmb_add(c2_squared_q28, lmb_shr(c2_q28, 1)), 0x4000000), 14);
+    term->twice_cos = lmb_shr_round(c_q30, 15);
+    term->twice_cos2 = lmb_shr_round(c2_q29, 14);
 }

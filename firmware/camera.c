@@ -33,7 +33,7 @@ int lmb_camera_perspective(lmb_camera *camera, int width, int height, int32_t fo
 {
     unsigned shift;
     uint32_t reciprocal;
-    int error = near_q16 < NEAR_MIN ? LMB_ERROR_VALUE : camera_begin(camera, width, height, focal_q16, near_q16, far_q16);
+    int error = !LMB_WITH_PERSPECTIVE || near_q16 < NEAR_MIN ? LMB_ERROR_VALUE : camera_begin(camera, width, height, focal_q16, near_q16, far_q16);
     if (error) return error;
     camera->perspective = true;
     /* depth = far / (far - near) * (1 - near / w): gain / 2^16, saturated where far hardly exceeds near */
@@ -56,7 +56,7 @@ bool lmb_project(const lmb_camera *camera, lmb_point p, lmb_vertex *vertex)
 {
     int32_t x, y, w = lmb_sub(0, p.z);
     if (w < camera->near_q16) return false;
-    if (camera->perspective) {
+    if (LMB_WITH_PERSPECTIVE && camera->perspective) {
         /* w * reciprocal = 2^(31 + shift): x / w = x * reciprocal / 2^31 in 1 / 2^shift; near / w <= 1 alike */
         unsigned shift;
         int32_t reciprocal = (int32_t)(lmb_reciprocal((uint32_t)w, &shift) >> 1);

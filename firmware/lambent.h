@@ -66,6 +66,22 @@ extern "C" {
 #endif
 LMB_STATIC_ASSERT(LMB_LIGHTS >= 1 && LMB_LIGHTS <= 4);
 
+/* What is built in, 1, or left out to save flash, 0. A call that asks for what was left out returns LMB_ERROR_VALUE. In bytes of
+ * Cortex-M0+ at -Os (make size prints them): */
+#ifndef LMB_WITH_ARC
+#define LMB_WITH_ARC 1 /* LMB_STEP_ARC */
+#endif
+#ifndef LMB_WITH_CORNERS
+#define LMB_WITH_CORNERS 1 /* LMB_MODEL_FLAT and LMB_MODEL_GOURAUD */
+#endif
+#ifndef LMB_WITH_PERSPECTIVE
+#define LMB_WITH_PERSPECTIVE 1 /* perspective cameras, and clipping at the near plane and beyond LMB_SCREEN_MAX */
+#endif
+#ifndef LMB_WITH_DEPTH
+#define LMB_WITH_DEPTH 1 /* depth of spans */
+#endif
+LMB_STATIC_ASSERT((LMB_WITH_ARC | LMB_WITH_CORNERS | LMB_WITH_PERSPECTIVE | LMB_WITH_DEPTH | 1) == 1);
+
 enum lmb_error {
     LMB_OK = 0,
     LMB_ERROR_VALUE = -1, /* an argument is outside its documented range */
@@ -96,7 +112,7 @@ int32_t lmb_half_distance_q28(lmb_vec a, lmb_vec b);
  *   x       UQ2.30 in [0.25, 1), i.e. 0x10000000...0x3fffffff; outside: unspecified value, no fault
  *   return  UQ2.30 in (1 - 2^-26, 2): it fits int32_t
  *   error   at most LMB_RSQRT_MAX_ERROR relative, either way (every argument, hosttest/test_vec.c)
- *   cost    table of 96 bytes, two steps of Newton's method in six 32-bit products */
+ *   cost    table of 96 bytes, two steps of Newton's method in seven 32-bit products */
 #define LMB_RSQRT_MAX_ERROR (0.8 / (1L << 26))
 uint32_t lmb_rsqrt_q30(uint32_t x);
 
@@ -259,7 +275,7 @@ typedef struct lmb_arc {
  *   start   distance of the first pixel centre from the start of the arc in 1/16 pixel, 0 to 16; past the end of an arc that
  *           is shorter than that: its end
  * Largest error of a term of amplitude one from first to last pixel, hosttest/test_arc.c: LMB_ARC_MAX_ERROR up to 90 degrees
- * and 1024 pixels, LMB_ARC_WIDE_MAX_ERROR up to 120 degrees, and twice that up to 4096 pixels. */
+ * and 1024 pixels, LMB_ARC_WIDE_MAX_ERROR up to 120 degrees and 4096 pixels. */
 #define LMB_ARC_U_MAX 0x18000000
 #define LMB_ARC_LENGTH_MAX 0x100000
 #define LMB_ARC_MAX_ERROR (1.0 / (1 << 14))

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* Prepares a lobe: the constants of W_m, or tuned ones from a table.
  *
- * Paper 000 squares an affine function of the cosine, 1 - (n / m) (1 - c), log2 m times; paper 003 takes a parabola with the least
- * largest error. Here the parabola is inside the squarings: one constant after the first of them (or the second), and that with
- * the slope is chosen for the least largest error of the whole. Where the centre is to be one that leaves two numbers for each n,
- * which are smooth in 2^m / n: cubics in it, and so no division and 54 bytes for the 900 lobes from n = 90 on.
+ * Paper 000 squares an affine function of the cosine, 1 - (n / m) (1 - c), log2 m times; paper 003 takes a parabola with the
+ * least largest error. Here the parabola is inside the squarings: one constant after the first of them (or the second), and that
+ * with the slope is chosen for the least largest error of the whole. As the centre is to be one, two numbers are left for each n.
+ * They are smooth in 2^m / n, so cubics in it serve: no division, and 30 bytes for all lobes from n = 90 on.
  *
  * For the largest n the crossed form errs 0.0007 where the plain one errs 0.0010 and ends in a step of as much; below n = 90 the
  * plain one is better. With three multiplications the same holds from n = 28 on. */

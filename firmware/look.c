@@ -45,6 +45,8 @@ int lmb_look_prepare(lmb_look *look, const lmb_material *material, const lmb_lig
     int error;
     if (light_count < 1 || light_count > LMB_LIGHTS) return LMB_ERROR_LIGHTS;
     if ((unsigned)model > LMB_MODEL_GLOSS || (unsigned)step > LMB_STEP_ARC) return LMB_ERROR_VALUE;
+    if (!LMB_WITH_ARC && step == LMB_STEP_ARC) return LMB_ERROR_VALUE;
+    if (!LMB_WITH_CORNERS && model < LMB_MODEL_DIFFUSE) return LMB_ERROR_VALUE;
     error = lmb_lobe_prepare(&look->lobe, LMB_LOBE_TUNED, material->shininess, 0);
     look->model = (uint8_t)model;
     look->step = (uint8_t)step;

@@ -73,7 +73,8 @@ static void clip(lmb_walk *walk, const uint16_t *index)
     int i;
     for (i = 0; i < 3; i++) {
         corner[i].p = lmb_mesh_place(walk->mesh, walk->pose, index[i]);
-        corner[i].normal = walk->look->model == LMB_MODEL_FLAT ? face_normal(walk->mesh, index) : walk->mesh->normals[index[i]];
+        corner[i].normal = LMB_WITH_CORNERS && walk->look->model == LMB_MODEL_FLAT ? face_normal(walk->mesh, index)
+                                                                                   : walk->mesh->normals[index[i]];
     }
     walk->corners = (uint8_t)lmb_clip(walk->camera, corner, walk->polygon);
     walk->fan = 1;
@@ -97,7 +98,7 @@ bool lmb_mesh_next(lmb_walk *walk, lmb_triangle *triangle)
         const lmb_vertex *corner[3];
         const uint16_t *index;
         int i;
-        while (walk->fan + 1 < walk->corners) {
+        while (LMB_WITH_PERSPECTIVE && walk->fan + 1 < walk->corners) {
             unsigned k = walk->fan++;
             if (lmb_triangle_begin(triangle, walk->look, &walk->rays, &walk->polygon[0], &walk->polygon[k], &walk->polygon[k + 1],
                                    &walk->window)) {
@@ -113,10 +114,10 @@ bool lmb_mesh_next(lmb_walk *walk, lmb_triangle *triangle)
             corner[i] = walk->vertices ? &walk->vertices[index[i]] : &walk->polygon[i];
         }
         if (corner[0]->x == NOT_ON_SCREEN || corner[1]->x == NOT_ON_SCREEN || corner[2]->x == NOT_ON_SCREEN) {
-            clip(walk, index);
+            if (LMB_WITH_PERSPECTIVE) clip(walk, index);
             continue;
         }
-        if (walk->look->model == LMB_MODEL_FLAT) flatten(walk, index, corner);
+        if (LMB_WITH_CORNERS && walk->look->model == LMB_MODEL_FLAT) flatten(walk, index, corner);
         if (lmb_triangle_begin(triangle, walk->look, &walk->rays, corner[0], corner[1], corner[2], &walk->window)) {
             return true;
         }

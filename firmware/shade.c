@@ -195,12 +195,12 @@ void lmb_shade_begin(lmb_triangle *t, const lmb_lattice *lattice, const lmb_vert
 {
     t->diffuse_on = t->specular_on = 0;
     t->kind = LMB_SPAN_PLANE;
-    if (t->look->model == LMB_MODEL_FLAT) {
+    if (LMB_WITH_CORNERS && t->look->model == LMB_MODEL_FLAT) {
         t->kind = LMB_SPAN_FLAT;
         shade_face(t, corner);
-    } else if (t->look->model == LMB_MODEL_GOURAUD) {
+    } else if (LMB_WITH_CORNERS && t->look->model == LMB_MODEL_GOURAUD) {
         shade_corners(t, lattice, corner);
-    } else if (t->look->step == LMB_STEP_ARC) {
+    } else if (LMB_WITH_ARC && t->look->step == LMB_STEP_ARC) {
         t->kind = LMB_SPAN_ARC;
         t->diffuse_on = (uint8_t)((1u << t->look->lights) - 1u);
         t->specular_on = t->look->specular_on;

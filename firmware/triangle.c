@@ -89,13 +89,13 @@ static lmb_vec edge_arc_normal(const lmb_edge_arc *e)
 static void side_begin(lmb_triangle *t, bool left, const lmb_vertex *top, const lmb_vertex *bottom, int32_t row)
 {
     lmb_edge_begin(left ? &t->left : &t->right, top->x, top->y, bottom->x, bottom->y, row);
-    if (t->kind == LMB_SPAN_ARC) edge_arc_begin(left ? &t->u.arc.left : &t->u.arc.right, top, bottom, row);
+    if (LMB_WITH_ARC && t->kind == LMB_SPAN_ARC) edge_arc_begin(left ? &t->u.arc.left : &t->u.arc.right, top, bottom, row);
 }
 
 static void planes_move(lmb_triangle *t, int32_t columns, int32_t rows)
 {
     unsigned i;
-    lmb_plane_move(&t->depth, columns, rows);
+    if (LMB_WITH_DEPTH) lmb_plane_move(&t->depth, columns, rows);
     if (t->kind != LMB_SPAN_PLANE) return;
     for (i = 0; i < t->look->lights; i++) {
         if (t->diffuse_on >> i & 1u) lmb_plane_move(&t->u.plane.diffuse[i], columns, rows);
@@ -121,7 +121,7 @@ static void terms_begin(lmb_triangle *t, const lmb_vertex *const corner[3])
     lmb_lattice lattice;
     lmb_lattice_begin(&lattice, corner[0], corner[1], corner[2], curved);
     lmb_shade_begin(t, &lattice, corner);
-    depth_begin(t, &lattice, corner);
+    if (LMB_WITH_DEPTH) depth_begin(t, &lattice, corner);
     t->column = lmb_shr(corner[0]->x, 4);
     planes_move(t, 0, lmb_sub(t->y, lmb_shr(corner[0]->y, 4)));
 }
@@ -218,10 +218,10 @@ static void rows_step(lmb_triangle *t)
 {
     unsigned i;
     t->y = lmb_add(t->y, 1);
-    lmb_plane_down(&t->depth);
+    if (LMB_WITH_DEPTH) lmb_plane_down(&t->depth);
     lmb_edge_step(&t->left);
     lmb_edge_step(&t->right);
-    if (t->kind == LMB_SPAN_ARC) {
+    if (LMB_WITH_ARC && t->kind == LMB_SPAN_ARC) {
         edge_arc_step(&t->u.arc.left);
         edge_arc_step(&t->u.arc.right);
     } else if (t->kind == LMB_SPAN_PLANE) {
@@ -244,13 +244,13 @@ bool lmb_triangle_next(lmb_triangle *t, lmb_span *span)
         span->kind = t->kind;
         span->diffuse_on = t->diffuse_on;
         span->specular_on = t->specular_on;
-        span->depth = lmb_plane_term(&t->depth, lmb_sub(x, t->column));
-        if (t->kind == LMB_SPAN_ARC) {
+        if (LMB_WITH_DEPTH) span->depth = lmb_plane_term(&t->depth, lmb_sub(x, t->column));
+        if (LMB_WITH_ARC && t->kind == LMB_SPAN_ARC) {
             arc_span(t, span, lmb_sub(x, t->left.x));
-        } else if (t->kind == LMB_SPAN_PLANE) {
-            plane_span(t, span);
-        } else {
+        } else if (LMB_WITH_CORNERS && t->kind == LMB_SPAN_FLAT) {
             flat_span(t, span);
+        } else {
+            plane_span(t, span);
         }
         rows_step(t);
         return true;

@@ -3,8 +3,8 @@
  * arithmetic, against cos^n over the quarter turn.
  *
  * multiplications and additions are those of one evaluation once s = alpha - slope * (1 - cos) is there. Real W_m has its
- * argument clamped at zero; integer arithmetic adds its lift to W_m as well (lobe.h). at_degrees is where the largest error is; the mean
- * square is taken evenly over the angle.
+ * argument clamped at zero; integer arithmetic adds its lift to W_m as well (lobe.h). at_degrees is where the largest error is;
+ * the mean square is taken evenly over the angle.
  */
 #include "../firmware/lambent.h"
 

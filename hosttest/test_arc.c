@@ -118,6 +118,48 @@ static void test_spans(test_random *r, const char *name, double psi_max, int whi
                  best.length / 16.0, (unsigned)best.start);
 }
 
+/* The same with the library's lobe in the place of the exact power: what a highlight errs by in all. */
+static double lobe_error(const arc_case *c, unsigned n)
+{
+    const arc_vector from = arc_from(c->from), to = arc_from(c->to), ray = arc_from(c->ray);
+    const double psi = arc_angle(from, to), a = arc_inner(from, ray), b = arc_inner(to, ray);
+    lmb_lobe lobe;
+    lmb_arc arc;
+    lmb_term term;
+    double worst = 0;
+    uint32_t x;
+    if (lmb_lobe_prepare(&lobe, LMB_LOBE_TUNED, n, 0) != LMB_OK || psi < 1e-9) return 0;
+    lmb_arc_between(&arc, c->from, c->to, c->length, c->start);
+    lmb_arc_dot(&arc, &term, c->from, c->to, c->ray, 65536);
+    for (x = c->start; x <= c->length; x += 16) {
+        double t = (double)x / c->length, want = (sin(psi * (1 - t)) * a + sin(psi * t) * b) / sin(psi);
+        double got = lmb_lobe_eval(&lobe, lmb_sub(0x40000000, term.f)) / 32768.0;
+        worst = fmax(worst, fabs(got - pow(fmin(fmax(want, 0), 1), n)));
+        lmb_arc_step(&arc, &term);
+    }
+    return worst;
+}
+
+static void test_lobes(test_random *r)
+{
+    static const char *name[2] = {"span_specular_lobe", "span_gloss_lobe"};
+    static const double bound[2] = {LMB_SPAN_SPECULAR_MAX_ERROR, LMB_SPAN_GLOSS_MAX_ERROR};
+    int gloss, i;
+    for (gloss = 0; gloss < 2; gloss++) {
+        double worst = 0;
+        unsigned n_worst = 0;
+        for (i = 0; i < 60000; i++) {
+            unsigned n = (unsigned)test_integer(r, gloss ? 257 : 1, gloss ? LMB_SHININESS_MAX : 256);
+            arc_case c = arc_random_case(r, RIGHT * (i & 1 ? test_real(r, 0.8, 1) : pow(10, test_real(r, -4, 0))),
+                                         arc_random_length(r, 1, i & 15 ? 16 : 1024));
+            double error = lobe_error(&c, n);
+            if (error > worst) n_worst = n;
+            worst = fmax(worst, error);
+        }
+        test_verdict(worst <= bound[gloss], name[gloss], "%.3g of %.3g, n = %u", worst, bound[gloss], n_worst);
+    }
+}
+
 /* ------------------------------------------------------------------------------------------------------------------- edge cases */
 
 /* Largest |f| from the first pixel to the last, -1 if a pixel or the one after it leaves [-limit, limit]. */
@@ -148,8 +190,7 @@ static void test_equal_normals(test_random *r)
     test_verdict(worst <= 1.0 / (1 << 17), "arc_equal_normals", "constant within %.3g, 1/16 to 4096 px", worst);
 }
 
-/* Beyond 120 degrees: linear from end to end, so never outside what the ends are. The rounding of the recurrence is all there
- * is, and the slope of arcs of two pixels is held back. */
+/* Beyond 120 degrees: linear from end to end, so never outside what the ends are. Below 2.3 pixels the slope is held back. */
 static void test_opposite_normals(test_random *r)
 {
     double off = 0, outside = 0;
@@ -168,7 +209,7 @@ static void test_opposite_normals(test_random *r)
         for (x = c.start; x <= c.length; x += 16) {
             double f = term.f / 1073741824.0;
             outside = fmax(outside, fmax(f - fmax(a, b), fmin(a, b) - f));
-            if (c.length >= 48) off = fmax(off, fabs(f - (a + (b - a) * x / c.length)));
+            if (c.length >= 40) off = fmax(off, fabs(f - (a + (b - a) * x / c.length)));
             lmb_arc_step(&arc, &term);
         }
     }
@@ -286,7 +327,7 @@ static double paper_error(int form, double psi, uint32_t pixels, double phase)
 static void test_papers(test_random *r)
 {
     static const char *name[3] = {"arc_plain16", "arc_plain32", "arc_block4"};
-    static const double bound[3] = {0.02, 1e-4, 0.02};
+    static const double bound[3] = {0.0135, 0.0025, 0.0115};
     int form, i;
     for (form = 0; form < 3; form++) {
         double worst = 0;
@@ -320,12 +361,13 @@ int main(int argc, char **argv)
     test_phases(&r, "arc_error", RIGHT, 1, 1024, LMB_ARC_MAX_ERROR, 40000);
     test_phases(&r, "arc_error_short", RIGHT, 1, 4, LMB_ARC_MAX_ERROR, 400000);
     test_phases(&r, "arc_error_wide", WIDE, 1, 1024, LMB_ARC_WIDE_MAX_ERROR, 40000);
-    test_phases(&r, "arc_error_long", WIDE, 1024, 4096, 2 * LMB_ARC_WIDE_MAX_ERROR, 1500);
+    test_phases(&r, "arc_error_long", WIDE, 1024, 4096, LMB_ARC_WIDE_MAX_ERROR, 3000);
     test_spans(&r, "span_diffuse", RIGHT, DIFFUSE, LMB_SPAN_DIFFUSE_MAX_ERROR, 60000, 40000);
     test_spans(&r, "span_specular", RIGHT, N_256, LMB_SPAN_SPECULAR_MAX_ERROR, 60000, 40000);
     test_spans(&r, "span_gloss", RIGHT, N_1000, LMB_SPAN_GLOSS_MAX_ERROR, 60000, 60000);
     test_spans(&r, "span_diffuse_wide", WIDE, DIFFUSE, LMB_SPAN_DIFFUSE_MAX_ERROR, 30000, 10000);
     test_spans(&r, "span_specular_wide", WIDE, N_256, LMB_SPAN_SPECULAR_MAX_ERROR, 30000, 20000);
+    test_lobes(&r);
     test_equal_normals(&r);
     test_opposite_normals(&r);
     test_single_pixels(&r);

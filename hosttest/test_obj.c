@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Outlines cut into triangles, and meshes built from faces in memory: port/host/polygon.c and port/host/mesh_build.c.
  *
- * A cut is right when its triangles all wind like the outline, are corners - 2 in number, and their areas add up to the
- * outline's: then they neither overlap nor leave anything out. The reader and the tool are tested by test_obj.sh.
+ * A cut is right when its triangles all have area and wind like the outline, are corners - 2 in number, and their areas add up
+ * to the outline's: then they neither overlap nor leave anything out. The reader and the tool are tested by test_obj.sh.
  */
 #include "../port/host/mesh_build.h"
 #include "test.h"
@@ -34,7 +34,7 @@ static struct plane random_plane(test_random *r)
     return p;
 }
 
-/* 0 if the cut is right; otherwise what is wrong: 1 not cut, 2 a triangle winds the other way, 3 the areas do not add up. */
+/* 0 if the cut is right; otherwise what is wrong: 1 not cut, 2 a triangle is flat or winds the other way, 3 the areas do not add up. */
 static int cut_fault(const struct point3 *corner, uint32_t corners)
 {
     static uint32_t cut[CORNERS * 4][3];
@@ -44,7 +44,7 @@ static int cut_fault(const struct point3 *corner, uint32_t corners)
     for (uint32_t i = 0; i + 2 < corners; i++) {
         const struct point3 triangle[3] = {corner[cut[i][0]], corner[cut[i][1]], corner[cut[i][2]]};
         const double part = point3_dot(polygon_area2(triangle, 3), normal);
-        if (part < -1e-12) return 2;
+        if (part < 1e-9) return 2;
         sum += part;
     }
     return fabs(sum - point3_length(area2)) > 1e-9 * sum ? 3 : 0;
@@ -108,6 +108,68 @@ static void test_bridge(test_random *r)
         if (fault) kind = fault;
     }
     test_verdict(faults == 0, "polygon hole", "%d of 1000 squares with a hole cut wrongly (last fault %d)", faults, kind);
+}
+
+/* The outline of a random patch of squares, grown from one: all its corners on a grid, most of them in line with others, and
+ * touching itself where squares meet at a corner only. Walked with the patch on the left, turning right wherever possible.
+ * Returns the number of corners, or 0 if the patch has a hole that does not touch the outside. */
+#define GRID 7
+
+static uint32_t patch_outline(test_random *r, int uv[CORNERS][2])
+{
+    static const int step[4][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}}; /* counter-clockwise */
+    static const int left[4][2] = {{0, 0}, {-1, 0}, {-1, -1}, {0, -1}}, right[4][2] = {{0, -1}, {0, 0}, {-1, 0}, {-1, -1}};
+    unsigned char cell[GRID + 2][GRID + 2] = {{0}}; /* [y][x], with an empty border */
+    int squares = (int)test_integer(r, 2, GRID * GRID / 2), x = 1, y = 1, direction = 0, area2 = 0, first = -1;
+    uint32_t corners = 0;
+    cell[GRID / 2][GRID / 2] = 1;
+    for (int grown = 1; grown < squares;) {
+        const int i = (int)test_integer(r, 1, GRID), j = (int)test_integer(r, 1, GRID);
+        if (cell[i][j] || !(cell[i - 1][j] || cell[i + 1][j] || cell[i][j - 1] || cell[i][j + 1])) continue;
+        cell[i][j] = 1;
+        grown++;
+    }
+    while (!cell[y][x]) x = x == GRID ? (y++, 1) : x + 1; /* the lowest square: its lower edge is on the outline */
+    const int start_x = x, start_y = y;
+    do {
+        if (corners == CORNERS) return 0;
+        uv[corners][0] = x;
+        uv[corners++][1] = y;
+        x += step[direction][0];
+        y += step[direction][1];
+        area2 += (x - step[direction][0]) * y - x * (y - step[direction][1]);
+        for (int turn = 3; turn <= 5; turn++) { /* right, straight on, left */
+            const int d = (direction + turn) % 4;
+            if (cell[y + left[d][1]][x + left[d][0]] && !cell[y + right[d][1]][x + right[d][0]]) {
+                direction = d;
+                break;
+            }
+        }
+        first = x == start_x && y == start_y && direction == 0;
+    } while (!first);
+    return area2 == 2 * squares ? corners : 0;
+}
+
+static void test_patches(test_random *r)
+{
+    static int uv[CORNERS][2];
+    struct point3 corner[CORNERS];
+    unsigned long faults = 0, cuts = 0;
+    int kind = 0;
+    while (cuts < 20000) {
+        const struct plane plane = random_plane(r);
+        const uint32_t corners = patch_outline(r, uv), shift = (uint32_t)test_integer(r, 0, CORNERS);
+        if (corners == 0) continue;
+        for (uint32_t i = 0; i < corners; i++) {
+            const int *at = uv[(i + shift) % corners];
+            corner[i] = in_plane(&plane, at[0], at[1]);
+        }
+        const int fault = cut_fault(corner, corners);
+        faults += fault != 0;
+        if (fault) kind = fault;
+        cuts++;
+    }
+    test_verdict(faults == 0, "polygon patches", "%lu of %lu outlines on a grid cut wrongly (last fault %d)", faults, cuts, kind);
 }
 
 static void test_refusals(void)
@@ -235,6 +297,7 @@ int main(int argc, char **argv)
     test_stars(&r);
     test_combs(&r);
     test_bridge(&r);
+    test_patches(&r);
     test_refusals();
     test_balls(&r);
     return test_end();

@@ -24,7 +24,7 @@ void lmb_clear(const lmb_surface *surface, lmb_rgb colour)
     for (y = 0; y < height; y++) {
         uint8_t *pixel = (uint8_t *)surface->pixels + y * surface->pitch;
         for (x = 0; x < width; x++) {
-            if (surface->format == LMB_RGB565) {
+            if (lmb_format_bytes((enum lmb_format)surface->format) == 2) {
                 *pixel++ = low;
                 *pixel++ = high;
             } else {

@@ -26,6 +26,12 @@ typedef struct channel {
     uint8_t top, fraction;
 } channel;
 
+/* Which of the two; a constant where only one is built in. */
+static ALWAYS_INLINE bool is_rgb565(const lmb_surface *surface)
+{
+    return LMB_WITH_RGB565 && (!LMB_WITH_RGB888 || surface->format == LMB_RGB565);
+}
+
 static ALWAYS_INLINE channel channel_of(int format, int i)
 {
     channel c;
@@ -104,30 +110,17 @@ static ALWAYS_INLINE bool depth_pass(uint16_t *stored, lmb_term *depth)
     return true;
 }
 
-static void solid_run(const lmb_surface *surface, uint8_t *pixel, uint16_t *stored, const lmb_span *span, const uint32_t sum[3])
-{
-    lmb_term depth = span->depth;
-    unsigned step = lmb_format_bytes((enum lmb_format)surface->format), n;
-    for (n = span->length; n > 0; n--, pixel += step) {
-        if (stored && !depth_pass(stored++, &depth)) continue;
-        if (step == 2) {
-            store(LMB_RGB565, pixel, sum);
-        } else {
-            store(LMB_RGB888, pixel, sum);
-        }
-    }
-}
-
 /* One light; diffuse, with or without a highlight. */
 static ALWAYS_INLINE void lit_run(const lmb_look *look, const lmb_paint *paint, const lmb_span *span, uint8_t *pixel,
                                   uint16_t *stored, int format, bool arc, bool highlight)
 {
     const unsigned shift = LOBE_ENTRY_SHIFT - (highlight ? span->exponent[0] : 0);
-    lmb_term diffuse = span->diffuse[0], specular = span->specular[0], depth = span->depth;
+    static const lmb_term none = {0, 0, 0};
+    lmb_term diffuse = span->diffuse_on ? span->diffuse[0] : none, specular = span->specular[0], depth = span->depth;
     const lmb_lobe lobe = look->lobe;
     unsigned n;
     for (n = span->length; n > 0; n--, pixel += format == LMB_RGB565 ? 2 : 3) {
-        if (!stored || depth_pass(stored++, &depth)) {
+        if (!LMB_WITH_DEPTH || !stored || depth_pass(stored++, &depth)) {
             uint32_t sum[3] = {paint->ambient[0], paint->ambient[1], paint->ambient[2]};
             add_light(sum, paint->light[0].diffuse, intensity(diffuse.f));
             if (highlight) {
@@ -181,6 +174,40 @@ static void terms_step(const lmb_span *span, lmb_term *term)
     }
 }
 
+/* What all lights add at one pixel, saturated. */
+static void all_lights(uint32_t sum[3], int format, const lmb_look *look, const lmb_paint *paint, const lmb_span *span,
+                       const lmb_term *diffuse, const lmb_term *specular)
+{
+    unsigned i;
+    for (i = 0; i < look->lights; i++) {
+        light_pixel(sum, look, paint, span, &diffuse[i], &specular[i], i);
+        saturate(sum, format);
+    }
+}
+
+/* A pixel whose format is known at run time only. */
+static void store_as(const lmb_surface *surface, uint8_t *pixel, const uint32_t sum[3])
+{
+    if (is_rgb565(surface)) {
+        store(LMB_RGB565, pixel, sum);
+    } else {
+        store(LMB_RGB888, pixel, sum);
+    }
+}
+
+/* One colour: the triangle is flat, or no light reaches it. */
+static void solid_run(const lmb_surface *surface, const lmb_look *look, const lmb_paint *paint, const lmb_span *span,
+                      uint8_t *pixel, uint16_t *stored)
+{
+    lmb_term depth = span->depth;
+    uint32_t sum[3] = {paint->ambient[0], paint->ambient[1], paint->ambient[2]};
+    unsigned step = lmb_format_bytes((enum lmb_format)surface->format), n;
+    if (LMB_WITH_CORNERS) all_lights(sum, surface->format, look, paint, span, span->diffuse, span->specular);
+    for (n = span->length; n > 0; n--, pixel += step) {
+        if (!LMB_WITH_DEPTH || !stored || depth_pass(stored++, &depth)) store_as(surface, pixel, sum);
+    }
+}
+
 /* Any number of lights, any kind, any model. */
 static void general_run(const lmb_surface *surface, const lmb_look *look, const lmb_paint *paint, const lmb_span *span,
                         uint8_t *pixel, uint16_t *stored)
@@ -192,17 +219,10 @@ static void general_run(const lmb_surface *surface, const lmb_look *look, const 
         specular[i] = span->specular[i];
     }
     for (n = span->length; n > 0; n--, pixel += step) {
-        if (!stored || depth_pass(stored++, &depth)) {
+        if (!LMB_WITH_DEPTH || !stored || depth_pass(stored++, &depth)) {
             uint32_t sum[3] = {paint->ambient[0], paint->ambient[1], paint->ambient[2]};
-            for (i = 0; i < look->lights; i++) {
-                light_pixel(sum, look, paint, span, &diffuse[i], &specular[i], i);
-                saturate(sum, surface->format);
-            }
-            if (step == 2) {
-                store(LMB_RGB565, pixel, sum);
-            } else {
-                store(LMB_RGB888, pixel, sum);
-            }
+            all_lights(sum, surface->format, look, paint, span, diffuse, specular);
+            store_as(surface, pixel, sum);
         }
         for (i = 0; i < look->lights; i++) {
             if (span->diffuse_on >> i & 1u) terms_step(span, &diffuse[i]);
@@ -214,7 +234,7 @@ static void general_run(const lmb_surface *surface, const lmb_look *look, const 
 static ALWAYS_INLINE void one_light_run(const lmb_look *look, const lmb_paint *paint, const lmb_span *span, uint8_t *pixel,
                                         uint16_t *stored, int format)
 {
-    if (span->kind == LMB_SPAN_ARC) {
+    if (LMB_WITH_ARC && span->kind == LMB_SPAN_ARC) {
         if (span->specular_on) {
             lit_run(look, paint, span, pixel, stored, format, true, true);
         } else {
@@ -232,19 +252,13 @@ void lmb_fill_span(const lmb_surface *surface, const lmb_look *look, const lmb_p
     size_t row = (size_t)lmb_sub(span->y, surface->window.top), column = (size_t)lmb_sub(span->x, surface->window.left);
     size_t width = (size_t)lmb_sub(surface->window.right, surface->window.left);
     uint8_t *pixel = (uint8_t *)surface->pixels + row * surface->pitch + column * lmb_format_bytes((enum lmb_format)surface->format);
-    uint16_t *stored = surface->depth ? surface->depth + row * width + column : NULL;
-    bool fast = look->lights == 1 && span->diffuse_on && (!span->specular_on || look->model == LMB_MODEL_GLOSS);
-    if (span->kind == LMB_SPAN_FLAT || !(span->diffuse_on | span->specular_on)) {
-        uint32_t sum[3] = {paint->ambient[0], paint->ambient[1], paint->ambient[2]};
-        unsigned i;
-        for (i = 0; i < look->lights; i++) {
-            light_pixel(sum, look, paint, span, &span->diffuse[i], &span->specular[i], i);
-            saturate(sum, surface->format);
-        }
-        solid_run(surface, pixel, stored, span, sum);
+    uint16_t *stored = LMB_WITH_DEPTH && surface->depth ? surface->depth + row * width + column : NULL;
+    bool fast = (LMB_LIGHTS == 1 || look->lights == 1) && (!LMB_WITH_CORNERS || look->model >= LMB_MODEL_DIFFUSE);
+    if ((LMB_WITH_CORNERS && span->kind == LMB_SPAN_FLAT) || !(span->diffuse_on | span->specular_on)) {
+        solid_run(surface, look, paint, span, pixel, stored);
     } else if (!fast) {
         general_run(surface, look, paint, span, pixel, stored);
-    } else if (surface->format == LMB_RGB565) {
+    } else if (is_rgb565(surface)) {
         one_light_run(look, paint, span, pixel, stored, LMB_RGB565);
     } else {
         one_light_run(look, paint, span, pixel, stored, LMB_RGB888);

@@ -15,10 +15,22 @@
 extern "C" {
 #endif
 
+/* Formats built in, 1, or left out to save flash, 0. */
+#ifndef LMB_WITH_RGB565
+#define LMB_WITH_RGB565 1
+#endif
+#ifndef LMB_WITH_RGB888
+#define LMB_WITH_RGB888 1
+#endif
+LMB_STATIC_ASSERT(LMB_WITH_RGB565 + LMB_WITH_RGB888 >= 1);
+
 enum lmb_format { LMB_RGB565, LMB_RGB888 };
 
 /* Bytes of a pixel. */
-static inline unsigned lmb_format_bytes(enum lmb_format format) { return format == LMB_RGB565 ? 2 : 3; }
+static inline unsigned lmb_format_bytes(enum lmb_format format)
+{
+    return LMB_WITH_RGB565 && (!LMB_WITH_RGB888 || format == LMB_RGB565) ? 2 : 3;
+}
 
 /* Memory for the pixels of window. The same frame drawn whole or strip by strip gives the same bytes. */
 typedef struct lmb_surface {

@@ -4,8 +4,9 @@
  * The outline is looked at along the axis nearest to its normal, so that everything happens in two dimensions. A fan from
  * corner 0 is right when every triangle of it winds like the outline (the outline is star-shaped from there, convex or not).
  * Otherwise ears are clipped (Meisters 1975): a corner that bulges outwards and whose triangle holds no other corner is cut off,
- * and so on until three are left. Corners that only touch a triangle block it in the first pass and not in the second: bridges
- * to holes touch by design. Flat ears go last: they are left for the caller to refuse or to drop.
+ * and so on until three are left. A corner on the triangle's rim blocks it too (otherwise what is left touches itself and ends in
+ * flat triangles), unless it stands where one of the triangle's own corners stands, as along a bridge to a hole. Flat ears go
+ * last: they are left for the caller to refuse or to drop.
  */
 #include "polygon.h"
 
@@ -73,35 +74,32 @@ static int fan_serves(const struct point3 *corner, uint32_t corners, struct poin
     return 1;
 }
 
-/* Does any other corner lie in the triangle abc? Corners in the same place as a, b or c do not count. */
-static int is_blocked(const struct outline *o, struct flat a, struct flat b, struct flat c, int touching)
+/* Does any other corner lie in the triangle abc or on its rim? Corners in the same place as a, b or c do not count. */
+static int is_blocked(const struct outline *o, struct flat a, struct flat b, struct flat c)
 {
-    const double limit = touching ? -o->limit : o->limit;
     for (uint32_t i = 0; i < o->count; i++) {
         const struct flat p = o->at[o->left[i]];
         if (same(p, a) || same(p, b) || same(p, c)) continue;
-        if (turn(a, b, p) > limit && turn(b, c, p) > limit && turn(c, a, p) > limit) return 1;
+        if (turn(a, b, p) >= -o->limit && turn(b, c, p) >= -o->limit && turn(c, a, p) >= -o->limit) return 1;
     }
     return 0;
 }
 
-/* Passes: 0 nothing touches, 1 nothing is inside, 2 flat. */
-static int is_ear(const struct outline *o, uint32_t i, int pass)
+static int is_ear(const struct outline *o, uint32_t i, int flat)
 {
     const struct flat a = o->at[o->left[(i + o->count - 1) % o->count]], b = o->at[o->left[i]];
     const struct flat c = o->at[o->left[(i + 1) % o->count]];
     const double area2 = turn(a, b, c);
-    if (pass == 2) return fabs(area2) <= o->limit;
-    return area2 > o->limit && !is_blocked(o, a, b, c, pass == 0);
+    return flat ? fabs(area2) <= o->limit : area2 > o->limit && !is_blocked(o, a, b, c);
 }
 
 /* The place in left[] of an ear, searched from place first on; count when there is none. */
 static uint32_t find_ear(const struct outline *o, uint32_t first)
 {
-    for (int pass = 0; pass < 3; pass++) {
+    for (int flat = 0; flat < 2; flat++) {
         for (uint32_t step = 0; step < o->count; step++) {
             const uint32_t i = (first + step) % o->count;
-            if (is_ear(o, i, pass)) return i;
+            if (is_ear(o, i, flat)) return i;
         }
     }
     return o->count;

@@ -1,0 +1,136 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Everything that must hold, in about the order in which it would break; ends with "N passed, N failed". Called by make check.
+# Each property is one line that begins with pass or FAIL; this script prints and counts them.
+set -u
+cd "$(dirname "$0")/.." || exit 2
+MAKE=${MAKE:-make}
+CC=${CC:-cc}
+build=build/check
+log=$build/log
+rm -rf "$build/failed" "$log"
+mkdir -p "$log"
+: >"$log/verdicts"
+strict="-Werror"
+started=$(date +%s)
+
+say() { printf '== %s (%s s)\n' "$1" "$(($(date +%s) - started))"; }
+
+# verdict STATUS NAME TEXT [LOG]: one property of our own.
+verdict() {
+    if [ "$1" = 0 ]; then
+        echo "pass $2: $3"
+    else
+        echo "FAIL $2: $3"
+        [ -n "${4:-}" ] && tail -n 15 "$4"
+    fi | tee -a "$log/verdicts"
+}
+
+# build VARIANT CC CFLAGS LDFLAGS TARGET...: quiet; a warning is an error.
+build() {
+    variant=$1 cc=$2 cflags=$3 ldflags=$4
+    shift 4
+    $MAKE -s -j2 B="$build/$variant" CC="$cc" CFLAGS="$strict $cflags" LDFLAGS="$ldflags" "$@" >"$log/build-$variant" 2>&1
+    verdict $? "build $variant" "$cc $cflags, warnings as errors" "$log/build-$variant"
+}
+
+# run NAME COMMAND...: a test program whose own lines count; a crash counts as a failure.
+run() {
+    name=$1
+    shift
+    "$@" >"$log/$name" 2>&1
+    status=$?
+    grep -E '^(pass|FAIL) ' "$log/$name" | sed "s/^\(pass\|FAIL\) /\1 $name, /" >"$log/$name.verdicts"
+    if ! grep -q . "$log/$name.verdicts"; then
+        { echo "FAIL $name: no verdict, exit status $status"; tail -n 5 "$log/$name"; } >>"$log/$name.verdicts"
+    elif [ $status != 0 ] && ! grep -q '^FAIL' "$log/$name.verdicts"; then
+        { echo "FAIL $name: exit status $status after the last verdict"; tail -n 15 "$log/$name"; } >>"$log/$name.verdicts"
+    fi
+}
+
+# suite VARIANT: all test programs of a variant, two at a time, printed in order.
+suite() {
+    variant=$1
+    tests=$(cd hosttest && ls test_*.c | sed 's/\.c$//')
+    waiting=
+    for t in $tests; do
+        run "$variant-$t" "$build/$variant/bin/$t" &
+        if [ -n "$waiting" ]; then wait "$waiting"; fi
+        waiting=$!
+    done
+    wait
+    for t in $tests; do cat "$log/$variant-$t.verdicts"; done | tee -a "$log/verdicts"
+}
+
+lines() { grep -E '^(pass|FAIL) ' | tee -a "$log/verdicts"; }
+
+say "public headers alone"
+for h in firmware/lambent.h port/fill.h; do
+    for std in c99 c11 c++11; do
+        case $std in c++*) lang=c++ ;; *) lang=c ;; esac
+        echo "#include \"$h\"" | $CC -x $lang -std=$std -Wall -Wextra -Wpedantic -Werror -I. -fsyntax-only - 2>"$log/header"
+        verdict $? "header" "$h as $std" "$log/header"
+    done
+done
+
+say "gcc -O2"
+build gcc gcc "" "" tests tools demo
+suite gcc
+run lmb-mesh hosttest/test_obj.sh "$build/gcc/bin/lmb-mesh" gcc
+cat "$log/lmb-mesh.verdicts" | tee -a "$log/verdicts"
+run lmb-render hosttest/test_render.sh "$build/gcc/bin/lmb-render"
+cat "$log/lmb-render.verdicts" | tee -a "$log/verdicts"
+
+say "README example"
+run readme hosttest/test_readme.sh "$build/gcc" gcc
+cat "$log/readme.verdicts" | tee -a "$log/verdicts"
+
+say "tables"
+$MAKE -s B="$build/gcc" CC=gcc check-tables 2>&1 | lines
+
+say "clang, and identical frames at every optimisation"
+build clang clang "" "" tests demo
+run clang-test_arc "$build/clang/bin/test_arc"
+run clang-test_raster "$build/clang/bin/test_raster" 2
+cat "$log/clang-test_arc.verdicts" "$log/clang-test_raster.verdicts" | tee -a "$log/verdicts"
+for o in O0 Os O3; do build gcc-$o gcc "-$o" "" demo; done
+build clang-O3 clang "-O3" "" demo
+for v in clang gcc-O0 gcc-Os gcc-O3 clang-O3; do
+    different=$(for f in "$build"/gcc/demo/*.bmp; do cmp -s "$f" "$build/$v/demo/$(basename "$f")" || basename "$f"; done)
+    verdict "$([ -z "$different" ]; echo $?)" "frames $v" "byte for byte those of gcc -O2${different:+; but not $(echo $different)}"
+done
+
+say "checked arithmetic"
+build checked gcc "-DLMB_CHECKED" "" tests
+suite checked
+
+say "AddressSanitizer and UndefinedBehaviorSanitizer"
+build sanitized gcc "-O1 -fsanitize=address,undefined -fno-sanitize-recover=all" "-fsanitize=address,undefined" tests tools
+suite sanitized
+run sanitized-lmb-mesh hosttest/test_obj.sh "$build/sanitized/bin/lmb-mesh" gcc
+run sanitized-lmb-render hosttest/test_render.sh "$build/sanitized/bin/lmb-render"
+cat "$log/sanitized-lmb-mesh.verdicts" "$log/sanitized-lmb-render.verdicts" | tee -a "$log/verdicts"
+
+say "no division, no square root, no float"
+hosttest/gate.sh host "" "$build/gcc/liblambent.a" 2>&1 | lines
+hosttest/gate.sh host "" "$build/clang/liblambent.a" 2>&1 | lines
+for o in Os O2 O3; do
+    mkdir -p "$build/m0plus"
+    (cd "$build/m0plus" && rm -f ./*.o lib.a && for f in ../../../firmware/*.c ../../../port/*.c; do
+        arm-none-eabi-gcc -mcpu=cortex-m0plus -mthumb -std=c99 -$o -ffreestanding -Wall -Wextra -Werror -I../../../firmware -c "$f" || exit 1
+    done && arm-none-eabi-ar rcs lib.a ./*.o) >"$log/m0plus" 2>&1
+    verdict $? "build m0plus" "arm-none-eabi-gcc -$o, warnings as errors" "$log/m0plus"
+    hosttest/gate.sh m0plus arm-none-eabi- "$build/m0plus/lib.a" 2>&1 | lines
+done
+hosttest/test_gate.sh 2>&1 | lines
+
+say "size"
+hosttest/size.sh "$build/size" | tee "$log/size" | grep -v '^pass\|^FAIL'
+lines <"$log/size"
+
+passed=$(grep -c '^pass ' "$log/verdicts")
+failed=$(grep -c '^FAIL ' "$log/verdicts")
+say "done"
+if [ "$failed" != 0 ]; then grep '^FAIL ' "$log/verdicts"; fi
+echo "$passed passed, $failed failed"
+[ "$failed" = 0 ] && [ "$passed" != 0 ]
