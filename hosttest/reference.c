@@ -148,6 +148,7 @@ void ref_frame_begin(ref_frame *frame, const scene *s, double slack)
     frame->depth = s->depth;
     frame->slack = slack;
     frame->fragments = 0;
+    frame->clipped = 0;
     frame->fragment = malloc(pixels * REF_LAYERS * sizeof *frame->fragment);
     frame->layers = calloc(pixels, 1);
     if (!frame->fragment || !frame->layers) {

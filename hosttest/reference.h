@@ -89,6 +89,7 @@ typedef struct ref_frame {
     bool depth;
     double slack;           /* fragments this near to the nearest may be taken for it: units of depth */
     uint64_t fragments;     /* all that were added */
+    uint32_t clipped;       /* same_model: triangles left out, since they are not wholly on the screen and in front */
     ref_fragment *fragment; /* REF_LAYERS per pixel */
     uint8_t *layers;        /* how many of them are there */
 } ref_frame;

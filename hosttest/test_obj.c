@@ -34,7 +34,8 @@ static struct plane random_plane(test_random *r)
     return p;
 }
 
-/* 0 if the cut is right; otherwise what is wrong: 1 not cut, 2 a triangle is flat or winds the other way, 3 the areas do not add up. */
+/* 0 if the cut is right; otherwise what is wrong: 1 not cut, 2 a triangle is flat or winds the other way, 3 the areas do not
+ * add up. */
 static int cut_fault(const struct point3 *corner, uint32_t corners)
 {
     static uint32_t cut[CORNERS * 4][3];

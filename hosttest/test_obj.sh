@@ -304,7 +304,10 @@ run in.obj --centre
 check "--centre" "$(grep -c ' -1 to 1$' out.c) $(grep -c 'scale     -14:' out.c)" "3 1"
 run in.obj --fit
 check "--fit: corners at 1/sqrt(3)" "$(grep -c ' -0\.577[0-9]* to 0\.577' out.c) $(grep -c 'scale     -15:' out.c)" "3 1"
-run in.obj
+{ cat cube.obj; echo 'v 99 99 99'; } >in.obj
+run in.obj --fit
+check "--fit: v that no face uses do not count" "$(grep -c ' -0\.577[0-9]* to 0\.577' out.c)" 3
+run cube.obj
 check "flash is stated" "$(grep -c 'flash     168 bytes: positions 48, normals 48, indices 72;' out.c)" 1
 
 printf 'v 0 0 0\nv 32767 0 0\nv 0 -32767 0\nf 3 2 1\n' >in.obj
@@ -324,6 +327,10 @@ check "a note on winding against vn" "$(grep -c '1 triangles wind clockwise' err
 printf 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 2 3\nf 1 3 4\nf 1 1 2\n' >in.obj
 accepts "--drop-degenerate keeps the rest" "4 2" --drop-degenerate
 check "... and says how many" "$(grep -c 'note: 2 degenerate' err)" 1
+# A square with a spike of no width on one corner: out along corners 5 and 6 and back.
+printf 'v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 2 3 0\nv 2 4 0\nf 1 2 3 5 6 5 3 4\n' >in.obj
+refuses "refuses a spike" 7 "degenerate triangle"
+accepts "--drop-degenerate cuts a spike off" "4 2" --drop-degenerate
 
 # ------------------------------------------------------------------------------------------------------------------- the C source
 

@@ -172,7 +172,7 @@ static int parse_option(job *j, const char *option, const char *value)
     if (!strcmp(option, "--ambient")) return parse_number(&j->ambient, value, 0, 1);
     if (!strcmp(option, "--diffuse")) return parse_number(&j->diffuse, value, 0, 1);
     if (!strcmp(option, "--specular")) return parse_number(&j->specular, value, 0, 1);
-    if (!strcmp(option, "--colour") || !strcmp(option, "--color")) return parse_colour(&j->colour, value);
+    if (!strcmp(option, "--colour")) return parse_colour(&j->colour, value);
     if (!strcmp(option, "--highlight")) return parse_colour(&j->highlight, value);
     if (!strcmp(option, "--background")) return parse_colour(&j->background, value);
     if (!strcmp(option, "--light")) return parse_light(j, value);
@@ -189,9 +189,32 @@ static int parse_option(job *j, const char *option, const char *value)
     return -1;
 }
 
+/* One line that says what the option takes: its own line of the help. */
+static int refuse_value(const char *option, const char *value)
+{
+    char start[32];
+    const char *line;
+    int blanks = 0;
+    snprintf(start, sizeof start, "\n  %s ", option);
+    line = strstr(help, start);
+    if (line) line += strspn(line, "\n ");
+    fprintf(stderr, "lmb-render: '%s' will not do; ", value);
+    for (; line && *line && *line != '\n'; line++) { /* runs of blanks, which align the help, become a colon */
+        if (*line == ' ' && ++blanks > 1) continue;
+        if (*line != ' ' && blanks > 1) fputs(": ", stderr);
+        if (*line != ' ' && blanks == 1) fputc(' ', stderr);
+        if (*line == ' ') continue;
+        blanks = 0;
+        fputc(*line, stderr);
+    }
+    fputc('\n', stderr);
+    return EXIT_USAGE;
+}
+
 /* Returns -1 to go on, or the exit status. */
 static int parse(job *j, int argc, char **argv)
 {
+    static char option_colour[] = "--colour";
     int i, result;
     for (i = 1; i < argc; i++) {
         if (!strcmp(argv[i], "-h") || !strcmp(argv[i], "--help")) {
@@ -202,13 +225,11 @@ static int parse(job *j, int argc, char **argv)
         } else if (!strcmp(argv[i], "--drop-degenerate")) {
             j->drop_degenerate = true;
         } else if (argv[i][0] == '-' && argv[i][1]) {
+            if (!strcmp(argv[i], "--color")) argv[i] = option_colour;
             result = parse_option(j, argv[i], i + 1 < argc ? argv[i + 1] : "");
             if (result < 0) return usage("no such option: ", argv[i]);
             if (i + 1 >= argc) return usage("a value is missing after ", argv[i]);
-            if (result == 0) {
-                fprintf(stderr, "lmb-render: %s does not take '%s' (see lmb-render --help)\n", argv[i], argv[i + 1]);
-                return EXIT_USAGE;
-            }
+            if (result == 0) return refuse_value(argv[i], argv[i + 1]);
             i++;
         } else if (j->input) {
             return usage("one model at a time; unexpected: ", argv[i]);

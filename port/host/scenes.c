@@ -58,14 +58,14 @@ static void still_life(scene *s)
 {
     static const lmb_rgb key = {235, 240, 255}, warm = {120, 70, 30};
     s->lights = 0;
-    light(s, 45, 70, 60, key);
+    light(s, 45, 40, 60, key);
     light(s, -80, 10, 40, warm);
     s->width = 320;
     s->depth = true;
     lmb_camera_perspective(&s->camera, s->width, s->height, 400 * UNIT, UNIT, 16 * UNIT);
     place(add(s, &mesh_teapot, SCENE_MESH_ONLY, glossy(235, 235, 240, 60), lmb_rotation(TURN(20), TURN(-30), 0)), -UNIT / 2,
-          UNIT / 8, -5 * UNIT);
-    place(add(s, &mesh_torus, SCENE_TORUS, glossy(220, 60, 40, 30), lmb_rotation(TURN(60), TURN(20), 0)), UNIT, -UNIT / 3,
+          -UNIT / 8, -UNIT * 4);
+    place(add(s, &mesh_torus, SCENE_TORUS, glossy(220, 60, 40, 30), lmb_rotation(TURN(-62), TURN(20), 0)), UNIT * 6 / 7, -UNIT / 2,
           -5 * UNIT);
     place(add(s, &mesh_icosphere_1280, SCENE_SPHERE, glossy(60, 140, 230, 120), lmb_rotation(0, 0, 0)), UNIT * 5 / 4, UNIT / 2,
           -7 * UNIT);
@@ -95,7 +95,10 @@ void scene_make(scene *out, unsigned i)
         add(&s, &mesh_torus, SCENE_TORUS, glossy(255, 120, 40, tight ? 100 : 16), lmb_rotation(TURN(-52), TURN(24), 0));
     } else if (!strncmp(names[i], "teapot", 6)) {
         s.depth = true;
-        add(&s, &mesh_teapot, SCENE_MESH_ONLY, glossy(235, 225, 205, tight ? 100 : 16), lmb_rotation(TURN(24), TURN(-28), 0));
+        s.lights = 0;
+        light(&s, 45, 18, 60, white); /* low, so that the belly has its highlight */
+        lmb_camera_orthographic(&s.camera, s.width, s.height, 122 * UNIT, UNIT, 8 * UNIT);
+        add(&s, &mesh_teapot, SCENE_MESH_ONLY, glossy(235, 225, 205, tight ? 100 : 16), lmb_rotation(TURN(20), TURN(-32), 0));
     } else {
         still_life(&s);
     }
