@@ -137,7 +137,7 @@ $(B)/bin/lmb-mesh: $(B)/port/host/lmb_mesh.o $(OBJ) $(B)/liblambent.a
 $(B)/bin/lmb-render: $(B)/port/host/lmb_render.o $(B)/port/host/bmp.o $(OBJ) $(B)/liblambent.a
 $(B)/bin/lmb-demo $(B)/bin/lmb-mesh $(B)/bin/lmb-render:
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(LMB_CFLAGS) $(CFLAGS) $^ -o $@ $(LDFLAGS) -lm
+	$(Q)$(LINK)
 
 # ------------------------------------------------------------------------------------------------------------- tests and reports
 
@@ -149,12 +149,23 @@ $(B)/hosttest/%.o: hosttest/%.cc
 	@mkdir -p $(@D)
 	$(Q)$(CXX) $(CXXFLAGS_ALL) $$(pkg-config --cflags OpenImageIO) -MMD -MP -c $< -o $@
 
+LINK = $(CC) $(LMB_CFLAGS) $(CFLAGS) $(filter %.o,$^) $(filter %.a,$^) -o $@ $(LDFLAGS) -lm
+REFERENCE := $(patsubst %.c,$(B)/%.o,$(wildcard hosttest/reference*.c))
+
+$(B)/bin/test_meshes: $(MESHES:%=$(B)/meshes/%.o)
+$(B)/bin/test_obj: $(B)/port/host/polygon.o $(B)/port/host/mesh_build.o
+$(B)/bin/report_image: $(SCENES) $(REFERENCE)
+
+$(B)/bin/test_image: $(B)/hosttest/test_image.o $(B)/hosttest/oiio.o $(SCENES) $(REFERENCE) $(B)/liblambent.a
+	@mkdir -p $(@D)
+	$(Q)$(CXX) $(CXXFLAGS_ALL) $(CFLAGS) $(filter %.o,$^) $(filter %.a,$^) -o $@ $(LDFLAGS) $$(pkg-config --libs OpenImageIO) -lm
+
 $(B)/bin/test_%: $(B)/hosttest/test_%.o $(B)/liblambent.a
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(LMB_CFLAGS) $(CFLAGS) $^ -o $@ $(LDFLAGS) -lm
+	$(Q)$(LINK)
 
 $(B)/bin/report_%: $(B)/hosttest/report_%.o $(B)/liblambent.a
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(LMB_CFLAGS) $(CFLAGS) $^ -o $@ $(LDFLAGS) -lm
+	$(Q)$(LINK)
 
 -include $(shell find $(B) -name '*.d' 2>/dev/null)

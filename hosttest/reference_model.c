@@ -24,6 +24,7 @@ typedef struct corner {
 typedef struct shaded {
     const ref_shader *shader;
     corner corner[3];
+    ref_vec face;           /* normal of the mesh's face */
     int64_t area2;
     ref_terms node[NODES];
     int nodes;              /* 1: constant, 3: linear, 6: quadratic, 0: along arcs */
@@ -68,7 +69,6 @@ static ref_vec mid_normal(ref_vec a, ref_vec b)
 
 static void nodes_begin(shaded *m, enum lmb_model kind, enum lmb_step_kind step)
 {
-    ref_vec face = ref_add(ref_add(m->corner[0].normal, m->corner[1].normal), m->corner[2].normal);
     int k;
     m->lit = kind == LMB_MODEL_FLAT || kind == LMB_MODEL_GOURAUD;
     m->nodes = kind == LMB_MODEL_FLAT                                 ? 1
@@ -76,7 +76,7 @@ static void nodes_begin(shaded *m, enum lmb_model kind, enum lmb_step_kind step)
                : step == LMB_STEP_QUADRATIC                           ? 6
                                                                       : 0;
     for (k = 0; k < m->nodes; k++) {
-        ref_vec normal = m->nodes == 1 ? ref_unit(face)
+        ref_vec normal = m->nodes == 1 ? m->face
                          : k < 3       ? m->corner[k].normal
                                        : mid_normal(m->corner[k - 3].normal, m->corner[(k - 2) % 3].normal);
         ref_terms_of(m->shader, normal, &m->node[k]);
@@ -175,6 +175,15 @@ static void paint_triangle(ref_frame *frame, shaded *m, uint32_t triangle)
     }
 }
 
+/* From the positions in the mesh, exactly. */
+static ref_vec face_normal(const lmb_mesh *mesh, uint32_t triangle)
+{
+    const uint16_t *index = mesh->indices + 3 * triangle;
+    ref_vec a = ref_make(mesh->positions[index[0]]);
+    ref_vec ab = ref_sub(ref_make(mesh->positions[index[1]]), a), ac = ref_sub(ref_make(mesh->positions[index[2]]), a);
+    return ref_unit(ref_cross(ab, ac));
+}
+
 static void paint_object(ref_frame *frame, const scene *s, unsigned object, enum lmb_model kind, enum lmb_step_kind step)
 {
     const scene_object *o = &s->object[object];
@@ -204,6 +213,7 @@ static void paint_object(ref_frame *frame, const scene *s, unsigned object, enum
         frame->clipped += off_screen;
         m.area2 = edge(&m.corner[0], &m.corner[1], m.corner[2].x, m.corner[2].y);
         if (off_screen || m.area2 <= 0) continue;
+        m.face = face_normal(o->mesh, t);
         nodes_begin(&m, kind, step);
         paint_triangle(frame, &m, (uint32_t)object << 24 | t);
     }

@@ -310,9 +310,9 @@ check "--fit: v that no face uses do not count" "$(grep -c ' -0\.577[0-9]* to 0\
 run cube.obj
 check "flash is stated" "$(grep -c 'flash     168 bytes: positions 48, normals 48, indices 72;' out.c)" 1
 
-printf 'v 0 0 0\nv 32767 0 0\nv 0 -32767 0\nf 3 2 1\n' >in.obj
+printf 'v 0 0 0\nv 8191.75 0 0\nv 0 -8191.75 0\nf 3 2 1\n' >in.obj
 run in.obj
-check "the largest coordinate of all" "$(grep -c 'scale     0:' out.c) $(grep -c '{0, -32767, 0}.*{32767, 0, 0}' out.c)" "1 1"
+check "the largest coordinate of all" "$(grep -c 'scale     -2:' out.c) $(grep -c '{0, -32767, 0}.*{32767, 0, 0}' out.c)" "1 1"
 printf 'v 0 0 0\nv 0.99998 0 0\nv 0 0.3 0\nf 1 2 3\n' >in.obj
 run in.obj
 check "just below one: 32767 and not 32768" "$(grep -c 'scale     -15:' out.c) $(grep -c '{32767, 0, 0}' out.c)" "1 1"

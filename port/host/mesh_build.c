@@ -101,8 +101,9 @@ static int choose_scale(struct build *b)
         return fail(b, line, "coordinate of size %g does not fit in space, which ends at %g (--fit scales the model)", largest,
                     MESH_SPACE_MAX);
     }
-    while (b->scale > MESH_SCALE_MIN && fits(largest, b->scale - 1)) b->scale--;
-    if (largest > 0 && b->scale == MESH_SCALE_MIN && fits(largest, MESH_SCALE_MIN - 1)) {
+    b->scale = LMB_SCALE_MAX;
+    while (b->scale > LMB_SCALE_MIN && fits(largest, b->scale - 1)) b->scale--;
+    if (largest > 0 && b->scale == LMB_SCALE_MIN && fits(largest, LMB_SCALE_MIN - 1)) {
         return fail(b, line, "the largest coordinate, %g, is too small (--fit scales the model)", largest);
     }
     return 0;

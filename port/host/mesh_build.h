@@ -20,8 +20,7 @@
 #include "obj.h"
 
 #define MESH_VERTICES_MAX 65535
-#define MESH_SPACE_MAX 32767.0 /* coordinates in space are Q16.16 */
-#define MESH_SCALE_MIN (-30)   /* of lmb_mesh */
+#define MESH_SPACE_MAX 8191.75 /* 32767 mesh units at LMB_SCALE_MAX */
 
 enum mesh_weight { MESH_WEIGHT_ANGLE, MESH_WEIGHT_AREA };
 
