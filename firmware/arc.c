@@ -18,53 +18,64 @@
 
 /* An angle theta: sin(theta) / sin(psi) and 2 - 2 cos(theta), both scaled. */
 struct turn {
-    uint32_t sine_q30, kappa_q28;
+    int32_t sine_q30, kappa_q28;
 };
 
-/* x (1 - part), part < 1; x < 2^31 unless part >= 2^-8. Most parts on arcs of 16 pixels and more are small, and then need no
- * 64-bit product: 16 bits of x meet 16 bits of part, which loses 2^-23 x at most. */
-static uint32_t lessen(uint32_t x, uint32_t part_q28)
+/* What an arc's normals give: u and sin^2(psi), both Q2.30. */
+struct bow {
+    int32_t u_q30, sine_squared_q30;
+};
+
+/* a b / 2^30, too small by less than 3; |a b| < 2^61. Where 64-bit products are calls (M0+, AVR) three short ones take a quarter
+ * of the time, and nothing here needs the last bits. */
+static int32_t product_q30(int32_t a, int32_t b)
 {
-    if (part_q28 < 0x100000u) return x - (lmb_mulu(x >> 15, part_q28 >> 4) >> 9);
-    return x - lmb_mulu_hi(x, part_q28 << 4);
+    int32_t a_low = a & 0x7fff, b_low = b & 0x7fff, a_high = lmb_shr(a, 15), b_high = lmb_shr(b, 15);
+    int32_t middle = lmb_add(lmb_shr(lmb_mul(a_high, b_low), 15), lmb_shr(lmb_mul(a_low, b_high), 15));
+    return lmb_add(lmb_mul(a_high, b_high), middle);
 }
 
-/* G(u) in Q4.28, for u up to LMB_ARC_U_MAX. Values up to 2.42. */
-static uint32_t angle_over_sine(int32_t u_q28)
+/* x (1 - part), part < 1. */
+static int32_t lessen(int32_t x, int32_t part_q28)
+{
+    return lmb_sub(x, product_q30(x, lmb_shl(part_q28, 2)));
+}
+
+/* G(u) in Q4.28, up to 2.42, for u up to LMB_ARC_U_MAX. */
+static int32_t angle_over_sine(int32_t u_q28)
 {
     const struct arc_piece *piece = &arc_table[u_q28 < LMB_ARC_U_MAX ? u_q28 >> 24 : 23];
     uint32_t t_q16 = u_q28 < LMB_ARC_U_MAX ? (uint32_t)u_q28 >> 8 & 0xffff : 0xffff;
     uint32_t rise_q26 = ((uint32_t)piece->slope << 8) + (lmb_mulu(piece->bend, t_q16) >> 10);
-    return (uint32_t)piece->value + ((uint32_t)lmb_mul_q16((int32_t)rise_q26, t_q16) << 2);
+    return lmb_add(piece->value, lmb_shl(lmb_mul_q16((int32_t)rise_q26, t_q16), 2));
 }
 
 /* With t1 = p/12, t2 = p^2/360, ... the series are
  *     2 - 2 cos(theta) = p (1 - t1 + t2 - ...)    sin(theta) = theta (1 - 2 t1 + 3 t2 - ...)
- * and t(j+1) = t(j) p / ((2j + 3)(2j + 4)). p is at most 4.39 (120 degrees), so t1 < 0.37 and t6 < 2^-22. */
-static void series(uint32_t p_q28, uint32_t *cos_loss_q28, uint32_t *sin_loss_q28)
+ * and t(j+1) = t(j) p / ((2j + 3)(2j + 4)). p is at most 4.39 (120 degrees), so t1 < 0.37 and t6 < 2^-22. What is left out when
+ * the loop ends early is below 2^-20. */
+static void series(int32_t p_q28, int32_t *cos_loss_q28, int32_t *sin_loss_q28)
 {
     static const uint16_t ratio_q19[6] = {43691, 17476, 9362, 5825, 3972, 2881};
-    uint32_t t_q28 = (uint32_t)lmb_mul_q16((int32_t)p_q28, ratio_q19[0]) >> 3, j = 1;
-    t_q28 -= t_q28 >> 17; /* 43691 is 2^19/12 and a 2^17th part too much */
-    *cos_loss_q28 = *sin_loss_q28 = 0;
-    for (;;) {
-        uint32_t weighted = lmb_mulu(t_q28, j + 1);
-        *cos_loss_q28 += j & 1 ? t_q28 : 0u - t_q28;
-        *sin_loss_q28 += j & 1 ? weighted : 0u - weighted;
-        if (j == 6 || t_q28 < 0x4000 || p_q28 < 0x240000) return; /* what follows is below 2^-21 */
-        t_q28 = lmb_mulu_hi(t_q28 << 4, (uint32_t)lmb_mul_q16((int32_t)p_q28, ratio_q19[j]) >> 3);
-        j++;
+    int32_t t_q28 = lmb_shr(lmb_mul_q16(p_q28, ratio_q19[0]), 3), j;
+    t_q28 = lmb_sub(t_q28, lmb_shr(t_q28, 17)); /* 43691 is 2^19/12 and a 2^17th part too much */
+    *cos_loss_q28 = t_q28;
+    *sin_loss_q28 = lmb_shl(t_q28, 1);
+    if (p_q28 < 0x240000) return;
+    for (j = 1; j < 6 && (t_q28 >= 0x4000 || t_q28 <= -0x4000); j++) {
+        t_q28 = lmb_sub(0, product_q30(lmb_shl(t_q28, 2), lmb_shr(lmb_mul_q16(p_q28, ratio_q19[j]), 3)));
+        *cos_loss_q28 = lmb_add(*cos_loss_q28, t_q28);
+        *sin_loss_q28 = lmb_add(*sin_loss_q28, lmb_mul(t_q28, j + 2));
     }
 }
 
-/* The angle theta whose ratio to sin(psi) is given, scaled: at most 2.42 in Q28, and p unscaled at most 4.39. */
-static struct turn turn_by(uint32_t ratio_q28, uint32_t sine_squared_q30, unsigned guard)
+/* The angle theta whose ratio to sin(psi) is given, scaled: at most 2.42. p is at most 4.39 before scaling, 1.1 after. */
+static struct turn turn_by(const struct bow *bow, int32_t ratio_q29, unsigned guard)
 {
-    uint32_t square_q28 = lmb_mulu_hi(ratio_q28 << 2, ratio_q28 << 2), cos_loss, sin_loss;
-    uint32_t p_q28 = lmb_mulu_hi(square_q28 << 1, sine_squared_q30 << 1);
+    int32_t p_q28 = product_q30(product_q30(ratio_q29, ratio_q29), bow->sine_squared_q30), cos_loss, sin_loss;
     struct turn turn;
-    series(p_q28 >> 2 * guard, &cos_loss, &sin_loss);
-    turn.sine_q30 = lessen(ratio_q28 << 2, sin_loss);
+    series(lmb_shr(p_q28, 2 * guard), &cos_loss, &sin_loss);
+    turn.sine_q30 = lmb_shl(lessen(ratio_q29, sin_loss), 1);
     turn.kappa_q28 = lessen(p_q28, cos_loss);
     return turn;
 }
@@ -77,8 +88,8 @@ static struct turn turn_by(uint32_t ratio_q28, uint32_t sine_squared_q30, unsign
  *   y/(1-y)  y + 4/3 y^2 with y = kappa/4 <= 1/4 (from two pixels on, phi <= 60 degrees), exact at its end */
 static void round_kappa(lmb_arc *arc, struct turn *phi)
 {
-    unsigned zeros = lmb_clz32(phi->kappa_q28 | 1), drop = 18;
-    uint32_t x_q31 = phi->kappa_q28 << zeros, k = (x_q31 >> 18) + (x_q31 >> 17 & 1);
+    unsigned zeros = lmb_clz32((uint32_t)phi->kappa_q28 | 1), drop = 18;
+    uint32_t x_q31 = (uint32_t)phi->kappa_q28 << zeros, k = (x_q31 >> 18) + (x_q31 >> 17 & 1);
     int32_t y_q12, inverse_q12, half_e_q32, quarter_q12;
     if (k > LMB_ARC_KAPPA_MAX) {
         drop = 19;
@@ -87,10 +98,10 @@ static void round_kappa(lmb_arc *arc, struct turn *phi)
     y_q12 = lmb_sub((int32_t)(x_q31 >> 19), 6144);
     inverse_q12 = lmb_sub(2731, lmb_shr(lmb_mul16(y_q12, lmb_sub(1986, lmb_shr(lmb_mul16(y_q12, 1324), 12))), 12));
     half_e_q32 = lmb_shr(lmb_mul(lmb_signed((k << drop) - x_q31), inverse_q12), 12); /* k << drop wraps when it is 2^32 */
-    quarter_q12 = (int32_t)(phi->kappa_q28 >> 2 * arc->guard >> 18);
+    quarter_q12 = lmb_shr(lmb_shr(phi->kappa_q28, 2u * arc->guard), 18);
     quarter_q12 = lmb_add(quarter_q12, lmb_shr(lmb_mul(lmb_mul(quarter_q12, quarter_q12), 341), 20)); /* 341/256 = 4/3 */
     half_e_q32 = lmb_sub(half_e_q32, lmb_shr(lmb_mul(half_e_q32, quarter_q12), 12));
-    phi->sine_q30 += (uint32_t)lmb_shr(lmb_mul((int32_t)(phi->sine_q30 >> 15), lmb_shr(half_e_q32, 3)), 14);
+    phi->sine_q30 = lmb_add(phi->sine_q30, lmb_shr(lmb_mul(lmb_shr(phi->sine_q30, 15), lmb_shr(half_e_q32, 3)), 14));
     zeros += arc->guard + 15 - drop;
     if (zeros > 31) { /* hardly a turn at all: at most 2^-22 of f in 65536 pixels */
         k = zeros > 45 ? 0 : k >> (zeros - 31);
@@ -101,33 +112,44 @@ static void round_kappa(lmb_arc *arc, struct turn *phi)
 }
 
 /* The coefficients of the first f: the pixel centre lies theta after the start of the arc. */
-static void place_first(lmb_arc *arc, const struct turn *theta, int32_t u_q28)
+static void place_first(lmb_arc *arc, const struct bow *bow, const struct turn *theta)
 {
-    arc->f_from_rise_q30 = (int32_t)theta->sine_q30;
-    arc->f_from_a_q30 = lmb_sub(lmb_mul_shr(u_q28, (int32_t)theta->sine_q30, 28), (int32_t)(theta->kappa_q28 << 1));
+    arc->f_from_rise_q30 = theta->sine_q30;
+    arc->f_from_a_q30 = lmb_sub(product_q30(bow->u_q30, theta->sine_q30), lmb_shl(theta->kappa_q28, 1));
 }
 
 /* The coefficients of the first d, f one pixel on less f. With P, W = sin(theta), sin(phi) over sin(psi):
  *     (sin(theta + phi) - sin(theta)) / sin(psi) = W cos(theta) - P kappa/2
  *     cos(theta) - cos(theta + phi)              = cos(theta) kappa/2 + P W sin^2(psi)
- * kappa/2 is at most 1.5 and loss = 1 - cos(theta) at most 1/2, since theta and phi together are at most 120 degrees. */
-static void place_second(lmb_arc *arc, const struct turn *theta, const struct turn *phi, uint32_t half_kappa_q30, int32_t u_q28)
+ * kappa/2 is at most 1.5, and 1 - cos(theta) 1/2: theta and phi together are at most 120 degrees, theta not the larger. */
+static void place_second(lmb_arc *arc, const struct bow *bow, const struct turn *theta, const struct turn *phi,
+                         int32_t half_kappa_q30)
 {
-    int32_t p_q30 = (int32_t)theta->sine_q30, w_q30 = (int32_t)phi->sine_q30, both_q30 = lmb_mul_shr(p_q30, w_q30, 30);
-    uint32_t loss_q28 = theta->kappa_q28 >> 1;
-    int32_t across_q30 = lmb_mul_shr(lmb_mul_shr(u_q28, both_q30, 28), 0x20000000 - u_q28, 28);
-    int32_t fall_q30 = lmb_add((int32_t)lessen(half_kappa_q30, loss_q28), across_q30);
-    arc->d_from_rise_q30 = lmb_sub((int32_t)lessen((uint32_t)w_q30, loss_q28), lmb_mul_shr(p_q30, (int32_t)half_kappa_q30, 30));
-    arc->d_from_a_q30 = lmb_sub(lmb_mul_shr(u_q28, arc->d_from_rise_q30, 28), fall_q30);
+    int32_t loss_q28 = lmb_shr(theta->kappa_q28, 1);
+    int32_t across_q30 = product_q30(product_q30(theta->sine_q30, bow->sine_squared_q30), phi->sine_q30);
+    int32_t fall_q30 = lmb_add(lessen(half_kappa_q30, loss_q28), across_q30);
+    arc->d_from_rise_q30 = lmb_sub(lessen(phi->sine_q30, loss_q28), product_q30(theta->sine_q30, half_kappa_q30));
+    arc->d_from_a_q30 = lmb_sub(product_q30(bow->u_q30, arc->d_from_rise_q30), fall_q30);
 }
 
 /* phi for arcs of two pixels and more; sets kappa and guard. Returns kappa / 2 in Q2.30, scaled once. */
-static uint32_t prepare_turn(lmb_arc *arc, struct turn *phi, uint32_t ratio_q28, uint32_t sine_squared_q30, unsigned guard)
+static int32_t prepare_turn(lmb_arc *arc, const struct bow *bow, struct turn *phi, int32_t ratio_q29, unsigned guard)
 {
     arc->guard = (uint8_t)guard;
-    *phi = turn_by(ratio_q28, sine_squared_q30, guard);
+    *phi = turn_by(bow, ratio_q29, guard);
     round_kappa(arc, phi);
-    return (uint32_t)arc->kappa << 16 >> arc->kappa_shift;
+    return lmb_shr(lmb_shl(arc->kappa, 16), arc->kappa_shift);
+}
+
+/* u and sin^2(psi) = u (2 - u); returns G times 2^(shift - 1) / length, where shift is that of the reciprocal. Beyond
+ * LMB_ARC_U_MAX there is no turn, and G is one. */
+static int32_t measure(struct bow *bow, int32_t u_q28, uint32_t length, unsigned *shift)
+{
+    const int32_t turn_q28 = u_q28 <= LMB_ARC_U_MAX ? u_q28 : 0;
+    uint32_t inverse = lmb_reciprocal(length, shift); /* 2^(31 + shift) / length, up to 2^31 */
+    bow->u_q30 = lmb_shl(turn_q28, 2);
+    bow->sine_squared_q30 = lmb_shl(product_q30(bow->u_q30, lmb_sub(0x40000000, lmb_shl(turn_q28, 1))), 1);
+    return product_q30(angle_over_sine(turn_q28), (int32_t)(inverse >> 1));
 }
 
 /* One reciprocal serves both angles: ratio = G / length * 2^(shift - 1) is that of phi scaled, 16 G / length * 2^guard, from two
@@ -138,35 +160,33 @@ static uint32_t prepare_turn(lmb_arc *arc, struct turn *phi, uint32_t ratio_q28,
  * keeps a term whose ends are opposite in range until one pixel after its end. */
 void lmb_arc_prepare(lmb_arc *arc, int32_t u_q28, uint32_t length, uint32_t start)
 {
-    const int32_t turn_q28 = u_q28 <= LMB_ARC_U_MAX ? u_q28 : 0;
     unsigned shift;
-    uint32_t inverse = lmb_reciprocal(length, &shift); /* 2^(31 + shift) / length */
-    uint32_t ratio_q28 = lmb_mulu_hi(angle_over_sine(turn_q28), inverse), half_kappa_q30, first_q28;
-    uint32_t sine_squared_q30 = (uint32_t)lmb_mul_shr(turn_q28, 0x20000000 - turn_q28, 26);
+    struct bow bow;
     struct turn theta = {0, 0}, phi;
+    int32_t ratio_q29 = measure(&bow, u_q28, length, &shift), first_q29, half_kappa_q30;
     start = start < length ? start : length;
-    first_q28 = lmb_mulu(ratio_q28 >> 4, start);
-    first_q28 = shift < 5 ? first_q28 << (5 - shift) : first_q28 >> (shift - 5);
-    if (start) theta = turn_by(first_q28, sine_squared_q30, 0);
+    first_q29 = lmb_mul(lmb_shr(ratio_q29, 4), (int32_t)start);
+    first_q29 = shift < 5 ? lmb_shl(first_q29, 5 - shift) : lmb_shr(first_q29, shift - 5);
+    if (start) theta = turn_by(&bow, first_q29, 0);
     arc->kappa = arc->kappa_shift = arc->guard = 0;
     arc->d_from_a_q30 = arc->d_from_rise_q30 = 0;
-    place_first(arc, &theta, turn_q28);
+    place_first(arc, &bow, &theta);
     if (start + 16 > length) return;
     if (shift >= 5) {
-        half_kappa_q30 = prepare_turn(arc, &phi, ratio_q28, sine_squared_q30, shift - 5);
+        half_kappa_q30 = prepare_turn(arc, &bow, &phi, ratio_q29, shift - 5);
     } else {
-        phi = turn_by(ratio_q28 << 1, sine_squared_q30, 0);
-        half_kappa_q30 = phi.kappa_q28 << 1;
+        phi = turn_by(&bow, lmb_shl(ratio_q29, 1), 0);
+        half_kappa_q30 = lmb_shl(phi.kappa_q28, 1);
         arc->kappa = 8192;
     }
-    place_second(arc, &theta, &phi, half_kappa_q30, turn_q28);
-    if (turn_q28 == 0 && shift < 6) arc->d_from_rise_q30 = lmb_min(arc->d_from_rise_q30, 0x1c000000);
+    place_second(arc, &bow, &theta, &phi, half_kappa_q30);
+    if (bow.u_q30 == 0 && shift < 6) arc->d_from_rise_q30 = lmb_min(arc->d_from_rise_q30, 0x1c000000);
 }
 
 /* Half of x a + y b in Q2.30: products can pass two where f and d do not. */
 static int32_t half_of(int32_t x_q30, int32_t a_q30, int32_t y_q30, int32_t b_q30)
 {
-    return lmb_add(lmb_mul_shr(x_q30, a_q30, 31), lmb_mul_shr(y_q30, b_q30, 31));
+    return lmb_add(product_q30(lmb_shr(x_q30, 1), a_q30), product_q30(lmb_shr(y_q30, 1), b_q30));
 }
 
 /* a - 2^12 where the recurrence sees a: the step's f >> 13 rounds down and so swings f about 2^-18, not about zero. With the
@@ -181,16 +201,15 @@ void lmb_arc_start(const lmb_arc *arc, lmb_term *term, int32_t a_q30, int32_t ri
 
 lmb_turn lmb_arc_turn(int32_t u_q28, uint32_t length)
 {
-    const int32_t turn_q28 = u_q28 <= LMB_ARC_U_MAX ? u_q28 : 0;
-    uint32_t inverse, sine_squared_q30 = (uint32_t)lmb_mul_shr(turn_q28, 0x20000000 - turn_q28, 26);
     unsigned shift, guard;
+    struct bow bow;
+    int32_t ratio_q29 = measure(&bow, u_q28, length > 16 ? length : 16, &shift);
     struct turn phi;
     lmb_turn turn;
-    inverse = lmb_reciprocal(length > 16 ? length : 16, &shift);
     guard = shift > 5 ? shift - 5 : 0;
-    phi = turn_by(lmb_mulu_hi(angle_over_sine(turn_q28), inverse) << (shift < 5), sine_squared_q30, guard);
-    turn.kappa_q30 = (guard ? phi.kappa_q28 >> (2 * guard - 2) : phi.kappa_q28 << 2);
-    turn.sine_q30 = phi.sine_q30 >> guard;
+    phi = turn_by(&bow, shift < 5 ? lmb_shl(ratio_q29, 1) : ratio_q29, guard);
+    turn.kappa_q30 = guard ? (uint32_t)phi.kappa_q28 >> (2 * guard - 2) : (uint32_t)phi.kappa_q28 << 2;
+    turn.sine_q30 = (uint32_t)phi.sine_q30 >> guard;
     return turn;
 }
 
@@ -200,27 +219,36 @@ int32_t lmb_excess_q28(lmb_vec v)
 }
 
 /* With |a| = 1 + x and |b| = 1 + y the cosine is a.b (1 - x)(1 - y) but for squares of x and y, and x is half the excess of a.
- * a.b (1 - excess/2) is never above one: |a| |b| (2 - (|a|^2 + |b|^2)/2) <= |a| |b| (2 - |a| |b|) <= 1. Held inside one all the same,
- * for vectors that are far off; -1 is left out so that a rise of two fits Q2.30. */
-int32_t lmb_cosine_q30(lmb_vec a, lmb_vec b, int32_t excess_q28)
+ * a.b (1 - excess/2) is never above one: |a| |b| (2 - (|a|^2 + |b|^2)/2) <= |a| |b| (2 - |a| |b|) <= 1. Held inside one all the
+ * same, for vectors that are far off; -1 is left out so that a rise of two fits Q2.30. */
+static int32_t cosine_of(const lmb_vec *a, const lmb_vec *b, int32_t excess_q28)
 {
-    int32_t dot_q28 = lmb_dot_q28(a, b), size_q15 = lmb_min(lmb_shr(dot_q28 < 0 ? lmb_sub(0, dot_q28) : dot_q28, 13), 0xffff);
+    int32_t dot_q28 = lmb_add(lmb_add(lmb_mul16(a->x, b->x), lmb_mul16(a->y, b->y)), lmb_mul16(a->z, b->z));
+    int32_t size_q15 = lmb_min(lmb_shr(dot_q28 < 0 ? lmb_sub(0, dot_q28) : dot_q28, 13), 0xffff);
     int32_t half_q28 = lmb_mul_q16(excess_q28, (uint32_t)size_q15); /* |a.b| excess/2 */
     dot_q28 = dot_q28 < 0 ? lmb_add(dot_q28, half_q28) : lmb_sub(dot_q28, half_q28);
-    return lmb_mul(lmb_max(lmb_min(dot_q28, 0x10000000), 1 - 0x10000000), 4);
+    return lmb_shl(lmb_max(lmb_min(dot_q28, 0x10000000), 1 - 0x10000000), 2);
+}
+
+int32_t lmb_cosine_q30(lmb_vec a, lmb_vec b, int32_t excess_q28)
+{
+    return cosine_of(&a, &b, excess_q28);
 }
 
 void lmb_arc_between(lmb_arc *arc, lmb_vec from, lmb_vec to, uint32_t length, uint32_t start)
 {
-    int32_t cosine_q30 = lmb_cosine_q30(from, to, lmb_add(lmb_excess_q28(from), lmb_excess_q28(to)));
+    int32_t cosine_q30;
+    arc->excess_from_q28 = lmb_excess_q28(from);
+    arc->excess_to_q28 = lmb_excess_q28(to);
+    cosine_q30 = cosine_of(&from, &to, lmb_add(arc->excess_from_q28, arc->excess_to_q28));
     lmb_arc_prepare(arc, lmb_sub(0x10000000, lmb_shr(cosine_q30, 2)), length, start);
 }
 
 void lmb_arc_dot(const lmb_arc *arc, lmb_term *term, lmb_vec from, lmb_vec to, lmb_vec ray, uint32_t scale)
 {
     int32_t excess_q28 = lmb_excess_q28(ray);
-    int32_t a_q30 = lmb_cosine_q30(from, ray, lmb_add(excess_q28, lmb_excess_q28(from)));
-    int32_t rise_q30 = lmb_sub(lmb_cosine_q30(to, ray, lmb_add(excess_q28, lmb_excess_q28(to))), a_q30);
+    int32_t a_q30 = cosine_of(&from, &ray, lmb_add(excess_q28, arc->excess_from_q28));
+    int32_t rise_q30 = lmb_sub(cosine_of(&to, &ray, lmb_add(excess_q28, arc->excess_to_q28)), a_q30);
     if (scale < 65536) {
         a_q30 = lmb_mul_q16(a_q30, scale);
         rise_q30 = lmb_mul_q16(rise_q30, scale);

@@ -61,6 +61,10 @@ static inline int32_t lmb_sub_wrap(int32_t a, int32_t b) { return lmb_signed((ui
 static inline int32_t lmb_mul_wrap(int32_t a, int32_t b) { return lmb_signed((uint32_t)a * (uint32_t)b); }
 static inline int32_t lmb_shl_wrap(int32_t a, unsigned s) { return lmb_signed((uint32_t)a << s); }
 
+/* floor(a * b / 2^s) of the whole 64-bit product; what does not fit int32_t becomes its nearest end. Out of line (wide.c): cores
+ * with 32-bit products alone take a hundred bytes for it. */
+int32_t lmb_mul_shr_sat(int32_t a, int32_t b, unsigned s);
+
 #ifndef LMB_CHECKED
 
 /* a + b, a - b; must fit int32_t. */
@@ -102,13 +106,6 @@ static inline int32_t lmb_mul_q16(int32_t a, uint32_t b)
 static inline int32_t lmb_mul_q15(int32_t a, int32_t b)
 {
     return (a >> 16) * b * 2 + (((a & 0xffff) * b) >> 15);
-}
-
-/* As lmb_mul_shr, but what does not fit int32_t becomes its nearest end. */
-static inline int32_t lmb_mul_shr_sat(int32_t a, int32_t b, unsigned s)
-{
-    int64_t r = ((int64_t)a * b) >> s;
-    return r > INT32_MAX ? INT32_MAX : r < INT32_MIN ? INT32_MIN : (int32_t)r;
 }
 
 /* Whether a * b < c * d, of the whole 64-bit products. */
@@ -204,12 +201,6 @@ static inline int32_t lmb_mul_q15_(int64_t a, int64_t b, const char *f, int l)
     lmb_count.multiplications++;
     lmb_checked_(b, INT16_MIN, INT16_MAX, "mul_q15: second factor", a, b, f, l);
     return lmb_i32_((a * b) >> 15, "mul_q15", a, b, f, l);
-}
-static inline int32_t lmb_mul_shr_sat(int32_t a, int32_t b, unsigned s)
-{
-    int64_t r = ((int64_t)a * b) >> s;
-    lmb_count.multiplications++;
-    return r > INT32_MAX ? INT32_MAX : r < INT32_MIN ? INT32_MIN : (int32_t)r;
 }
 static inline bool lmb_product_less(int32_t a, int32_t b, int32_t c, int32_t d)
 {

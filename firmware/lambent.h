@@ -266,6 +266,8 @@ typedef struct lmb_arc {
     int32_t f_from_rise_q30;   /* the first d is a d_from_a + rise d_from_rise, times 2^guard */
     int32_t d_from_a_q30;
     int32_t d_from_rise_q30;
+    int32_t excess_from_q28;   /* of the normals, for lmb_arc_dot: see lmb_excess_q28 */
+    int32_t excess_to_q28;
 } lmb_arc;
 
 /* Set-up of an arc from the angle psi between its end normals and its length: neither arccos, sine, root nor division.
@@ -295,7 +297,8 @@ void lmb_arc_start(const lmb_arc *arc, lmb_term *term, int32_t a_q30, int32_t ri
  *   ray    unit vector, Q2.14: the term is its dot product with the normal
  *   scale  UQ1.16 in [0, 65536]: factor of the term
  * Error of the term with scale 65536: LMB_SPAN_DIFFUSE_MAX_ERROR up to 90 degrees and 1024 pixels. What a highlight makes of it,
- * beside the lobe's own error: LMB_SPAN_SPECULAR_MAX_ERROR (n up to 256), LMB_SPAN_GLOSS_MAX_ERROR (n up to 1000). */
+ * beside the lobe's own error: LMB_SPAN_SPECULAR_MAX_ERROR (n up to 256), LMB_SPAN_GLOSS_MAX_ERROR (n up to 1000).
+ * From 90 to 120 degrees, double those. lmb_arc_dot wants an arc that lmb_arc_between has prepared for the same normals. */
 #define LMB_SPAN_DIFFUSE_MAX_ERROR (1.0 / 2000)
 #define LMB_SPAN_SPECULAR_MAX_ERROR (1.0 / 255)
 #define LMB_SPAN_GLOSS_MAX_ERROR (2.0 / 255)

@@ -7,9 +7,6 @@
 #define LENGTH2_MAX 295950609
 LMB_STATIC_ASSERT(LENGTH2_MIN < 0x10000000 && LENGTH2_MAX > 0x10000000);
 
-/* 255 as one to 32768 as one: c * 32768 / 255 = c * (128 + 1/2 + 1/512 ...), rounded to nearest. */
-static uint32_t colour_q15(uint32_t c) { return (lmb_mulu(c, 8421505u) + 0x8000u) >> 16; }
-
 /* The product of two UQ0.8 colours as UQ1.15: a b 32768 / 255^2, rounded to nearest. 0x81020409 is 2^47 / 255^2, rounded up. */
 static uint16_t product_q15(uint32_t a, uint32_t b)
 {
@@ -41,6 +38,7 @@ static int light_prepare(lmb_look *look, unsigned i, const lmb_material *materia
 int lmb_look_prepare(lmb_look *look, const lmb_material *material, const lmb_light *lights, unsigned light_count,
                      enum lmb_model model, enum lmb_step_kind step)
 {
+    static const lmb_rgb white = {255, 255, 255};
     unsigned i;
     int error;
     if (light_count < 1 || light_count > LMB_LIGHTS) return LMB_ERROR_LIGHTS;
@@ -52,9 +50,7 @@ int lmb_look_prepare(lmb_look *look, const lmb_material *material, const lmb_lig
     look->step = (uint8_t)step;
     look->lights = (uint8_t)light_count;
     look->specular_on = 0;
-    look->ambient_q15[0] = (uint16_t)colour_q15(material->ambient.r);
-    look->ambient_q15[1] = (uint16_t)colour_q15(material->ambient.g);
-    look->ambient_q15[2] = (uint16_t)colour_q15(material->ambient.b);
+    fold(look->ambient_q15, material->ambient, white);
     for (i = 0; i < light_count && error == LMB_OK; i++) error = light_prepare(look, i, material, &lights[i]);
     if (model == LMB_MODEL_DIFFUSE) look->specular_on = 0;
     return error;

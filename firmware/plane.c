@@ -79,10 +79,11 @@ static void lattice_curve(lmb_lattice *l)
     form_set(l->form[5], gx, gy);
 }
 
-void lmb_lattice_begin(lmb_lattice *l, const lmb_vertex *corner0, const lmb_vertex *corner1, const lmb_vertex *corner2, bool curved)
+void lmb_lattice_begin(lmb_lattice *l, const lmb_vertex *const corner[3], int32_t row, bool curved)
 {
-    int32_t x1 = lmb_sub(corner1->x, corner0->x), y1 = lmb_sub(corner1->y, corner0->y);
-    int32_t x2 = lmb_sub(corner2->x, corner0->x), y2 = lmb_sub(corner2->y, corner0->y);
+    int32_t x0 = corner[0]->x, y0 = corner[0]->y;
+    int32_t x1 = lmb_sub(corner[1]->x, x0), y1 = lmb_sub(corner[1]->y, y0);
+    int32_t x2 = lmb_sub(corner[2]->x, x0), y2 = lmb_sub(corner[2]->y, y0);
     unsigned size = bits_of(magnitude(x1) | magnitude(y1) | magnitude(x2) | magnitude(y2));
     unsigned down = size > LATTICE_BITS ? size - LATTICE_BITS : 0;
     uint32_t area, reciprocal;
@@ -101,8 +102,9 @@ void lmb_lattice_begin(lmb_lattice *l, const lmb_vertex *corner0, const lmb_vert
     reciprocal = lmb_reciprocal(area, &l->shift);
     l->reciprocal_q16 = (uint32_t)lmb_min((int32_t)((reciprocal + 0x4000u) >> 15), 65535);
     l->shift += down; /* p / 2^down over area / 4^down is p over area times 2^down */
-    l->offset_x = lmb_sub(8, corner0->x & 15);
-    l->offset_y = lmb_sub(8, corner0->y & 15);
+    l->offset_x = lmb_sub(8, x0 & 15);
+    l->offset_y = lmb_sub(8, y0 & 15);
+    l->rows = lmb_sub(row, lmb_shr(y0, 4));
     l->curved = curved;
     if (l->curved) lattice_curve(l);
 }
@@ -154,6 +156,14 @@ static int32_t sixteenths(int32_t n, int32_t offset)
     return lmb_add(lmb_mul(lmb_shr(n, 4), offset), lmb_shr(lmb_mul(n & 15, offset), 4));
 }
 
+static void plane_descend(lmb_plane *plane, int32_t rows)
+{
+    lmb_term down = lmb_term_move(plane->f, plane->dy, plane->dyy, rows);
+    plane->f = down.f;
+    plane->dy = down.d;
+    plane->dx = lmb_add_wrap(plane->dx, lmb_mul_wrap(rows, plane->dxy));
+}
+
 void lmb_plane_begin(lmb_plane *plane, const lmb_lattice *l, const lmb_net *net)
 {
     int32_t rise1 = net->rise1, rise2 = net->rise2, nx, ny, shift;
@@ -178,14 +188,5 @@ void lmb_plane_begin(lmb_plane *plane, const lmb_lattice *l, const lmb_net *net)
     plane->dy = over_area(ny, l, shift);
     plane->dxx = plane->dxy = plane->dyy = 0;
     if (l->curved) plane_curve(plane, l, net);
-}
-
-void lmb_plane_move(lmb_plane *plane, int32_t columns, int32_t rows)
-{
-    lmb_term down = lmb_term_move(plane->f, plane->dy, plane->dyy, rows), right;
-    plane->dx = lmb_add_wrap(plane->dx, lmb_mul_wrap(rows, plane->dxy));
-    right = lmb_term_move(down.f, plane->dx, plane->dxx, columns);
-    plane->f = right.f;
-    plane->dx = right.d;
-    plane->dy = lmb_add_wrap(down.d, lmb_mul_wrap(columns, plane->dxy));
+    plane_descend(plane, l->rows);
 }

@@ -13,6 +13,7 @@ typedef struct lmb_lattice {
     unsigned shift;
     unsigned bits;           /* of the largest of a1 ... b2 */
     int32_t offset_x, offset_y; /* from corner 0 to the centre of its pixel, 1/16 pixel, -7 to 8 */
+    int32_t rows;            /* from the pixel of corner 0 to the row where planes begin */
     unsigned exponent;       /* of the gradients behind forms: lambda per pixel = integer * 2^-exponent */
     bool curved;             /* forms is valid */
     /* Products of gradients, from which each second-order plane takes its six numbers: value, dx, dy, dxx/2, dyy/2, dxy/2,
@@ -27,15 +28,12 @@ typedef struct lmb_net {
     int32_t bulge01, bulge12, bulge20;
 } lmb_net;
 
-/* Sets a lattice up for three corners, clockwise on the screen with y down; curved: for planes with bulges too. */
-void lmb_lattice_begin(lmb_lattice *lattice, const lmb_vertex *corner0, const lmb_vertex *corner1, const lmb_vertex *corner2,
-                       bool curved);
+/* Sets a lattice up for three corners, clockwise on the screen with y down, and planes that begin on a row; curved: for planes with
+ * bulges too. */
+void lmb_lattice_begin(lmb_lattice *lattice, const lmb_vertex *const corner[3], int32_t row, bool curved);
 
-/* The plane through a net, at the pixel of corner 0. Bulges count if the lattice is curved. */
+/* The plane through a net, on the lattice's row and the pixel column of corner 0. Bulges count if the lattice is curved. */
 void lmb_plane_begin(lmb_plane *plane, const lmb_lattice *lattice, const lmb_net *net);
-
-/* Moves a plane by whole pixels. */
-void lmb_plane_move(lmb_plane *plane, int32_t columns, int32_t rows);
 
 /* One row down. */
 static inline void lmb_plane_down(lmb_plane *plane)

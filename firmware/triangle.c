@@ -16,18 +16,20 @@ static bool on_screen(const lmb_vertex *v)
     return v->x >= -LMB_SCREEN_MAX && v->x <= LMB_SCREEN_MAX && v->y >= -LMB_SCREEN_MAX && v->y <= LMB_SCREEN_MAX;
 }
 
-static void sort_by_y(const lmb_vertex *corner[3])
+/* Top, middle, bottom. Returns whether an odd number of swaps was needed, which turns the corners' sense of rotation. */
+static bool sort_by_y(const lmb_vertex *corner[3])
 {
-    const lmb_vertex *swap;
-    int pass;
+    bool odd = false;
+    unsigned pass;
     for (pass = 0; pass < 3; pass++) {
-        int i = pass & 1;
-        if (corner[i + 1]->y < corner[i]->y) {
-            swap = corner[i];
-            corner[i] = corner[i + 1];
-            corner[i + 1] = swap;
+        const lmb_vertex **pair = &corner[pass & 1u], *swap = pair[0];
+        if (pair[1]->y < swap->y) {
+            pair[0] = pair[1];
+            pair[1] = swap;
+            odd = !odd;
         }
     }
+    return odd;
 }
 
 /* The least and the greatest first pixel of three columns; false if no pixel of the window can be inside. */
@@ -92,17 +94,6 @@ static void side_begin(lmb_triangle *t, bool left, const lmb_vertex *top, const 
     if (LMB_WITH_ARC && t->kind == LMB_SPAN_ARC) edge_arc_begin(left ? &t->u.arc.left : &t->u.arc.right, top, bottom, row);
 }
 
-static void planes_move(lmb_triangle *t, int32_t columns, int32_t rows)
-{
-    unsigned i;
-    if (LMB_WITH_DEPTH) lmb_plane_move(&t->depth, columns, rows);
-    if (t->kind != LMB_SPAN_PLANE) return;
-    for (i = 0; i < t->look->lights; i++) {
-        if (t->diffuse_on >> i & 1u) lmb_plane_move(&t->u.plane.diffuse[i], columns, rows);
-        if (t->specular_on >> i & 1u) lmb_plane_move(&t->u.plane.specular[i], columns, rows);
-    }
-}
-
 static void depth_begin(lmb_triangle *t, const lmb_lattice *lattice, const lmb_vertex *const corner[3])
 {
     int32_t depth[3], i;
@@ -114,36 +105,33 @@ static void depth_begin(lmb_triangle *t, const lmb_lattice *lattice, const lmb_v
     lmb_plane_begin(&t->depth, lattice, &net);
 }
 
-/* Planes stand at the pixel of corner 0; brings them to the first row, and names their column. */
+/* Terms from the first row on; planes have the pixel column of corner 0 for their own. */
 static void terms_begin(lmb_triangle *t, const lmb_vertex *const corner[3])
 {
     bool curved = t->look->step == LMB_STEP_QUADRATIC && t->look->model >= LMB_MODEL_DIFFUSE;
     lmb_lattice lattice;
-    lmb_lattice_begin(&lattice, corner[0], corner[1], corner[2], curved);
+    lmb_lattice_begin(&lattice, corner, t->y, curved);
+    t->column = lmb_shr(corner[0]->x, 4);
     lmb_shade_begin(t, &lattice, corner);
     if (LMB_WITH_DEPTH) depth_begin(t, &lattice, corner);
-    t->column = lmb_shr(corner[0]->x, 4);
-    planes_move(t, 0, lmb_sub(t->y, lmb_shr(corner[0]->y, 4)));
 }
 
 bool lmb_triangle_begin(lmb_triangle *t, const lmb_look *look, const lmb_rays *rays, const lmb_vertex *a, const lmb_vertex *b,
                         const lmb_vertex *c, const lmb_window *window)
 {
     const lmb_vertex *clockwise[3];
-    int32_t abx, aby, acx, acy;
     if (!on_screen(a) || !on_screen(b) || !on_screen(c)) return false;
-    abx = lmb_sub(b->x, a->x);
-    aby = lmb_sub(b->y, a->y);
-    acx = lmb_sub(c->x, a->x);
-    acy = lmb_sub(c->y, a->y);
-    if (!lmb_product_less(abx, acy, acx, aby)) return false; /* seen from behind, or a line */
+    if (!lmb_product_less(lmb_sub(b->x, a->x), lmb_sub(c->y, a->y), lmb_sub(c->x, a->x), lmb_sub(b->y, a->y))) {
+        return false; /* seen from behind, or a line */
+    }
     t->look = look;
     t->rays = rays;
     t->window = *window;
     t->corner[0] = a;
     t->corner[1] = b;
     t->corner[2] = c;
-    sort_by_y(t->corner);
+    /* counter-clockwise from the top the middle corner is left of the long edge, clockwise it is right of it */
+    t->long_left = sort_by_y(t->corner);
     t->y = lmb_max(lmb_row_at(t->corner[0]->y), window->top);
     t->y_switch = lmb_row_at(t->corner[1]->y);
     t->y_end = lmb_min(lmb_row_at(t->corner[2]->y), window->bottom);
@@ -152,12 +140,6 @@ bool lmb_triangle_begin(lmb_triangle *t, const lmb_look *look, const lmb_rays *r
     clockwise[1] = c;
     clockwise[2] = b;
     terms_begin(t, clockwise);
-    /* the middle corner lies right of the long edge if top, middle, bottom run clockwise */
-    abx = lmb_sub(t->corner[1]->x, t->corner[0]->x);
-    aby = lmb_sub(t->corner[1]->y, t->corner[0]->y);
-    acx = lmb_sub(t->corner[2]->x, t->corner[0]->x);
-    acy = lmb_sub(t->corner[2]->y, t->corner[0]->y);
-    t->long_left = lmb_product_less(acx, aby, abx, acy);
     side_begin(t, t->long_left, t->corner[0], t->corner[2], t->y);
     if (t->y < t->y_switch) {
         side_begin(t, !t->long_left, t->corner[0], t->corner[1], t->y);

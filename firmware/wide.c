@@ -1,0 +1,13 @@
+/* SPDX-License-Identifier: MIT */
+/* Saturating 64-bit products, out of line: see arith.h. */
+#include "lambent.h"
+
+int32_t lmb_mul_shr_sat(int32_t a, int32_t b, unsigned s)
+{
+    int64_t r = ((int64_t)a * b) >> s;
+#ifdef LMB_CHECKED
+    lmb_count.multiplications++;
+#endif
+    if (r > INT32_MAX) return INT32_MAX;
+    return r < INT32_MIN ? INT32_MIN : (int32_t)r;
+}
