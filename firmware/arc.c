@@ -82,8 +82,8 @@ static struct turn turn_by(const struct bow *bow, int32_t ratio_q29, unsigned gu
 
 /* Rounds kappa to a mantissa of 14 bits and refits sin(phi): when kappa changes by the fraction e, sin^2 = kappa - kappa^2/4
  * changes by e (1 - kappa / (4 - kappa)), and sin by half of that. Two steps of kappa apart at most: |e| < 2^-13.9.
- *   scale    kappa 2^(2 guard) = k 2^(drop - zeros) in Q4.28, so that d, in Q2.30 times 2^guard, falls by k f 2^(drop - zeros - 28 -
- *            guard), which is (k (f >> 13)) >> (zeros + guard + 15 - drop)
+ *   scale    kappa 2^(2 guard) = k 2^(drop - zeros) in Q4.28, so that d, in Q2.30 times 2^guard, falls by
+ *            k f 2^(drop - zeros - 28 - guard), which is (k (f >> 13)) >> (zeros + guard + 15 - drop)
  *   1/x      1 + T3 / 99 over x, a parabola about 1.5 and within 1/99: e needs no more
  *   y/(1-y)  y + 4/3 y^2 with y = kappa/4 <= 1/4 (from two pixels on, phi <= 60 degrees), exact at its end */
 static void round_kappa(lmb_arc *arc, struct turn *phi)

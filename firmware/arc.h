@@ -27,7 +27,7 @@ static inline void lmb_arc_step(const lmb_arc *arc, lmb_term *term)
     term->d = lmb_sub(term->d, lmb_shr(lmb_mul(arc->kappa, lmb_shr(term->f, 13)), arc->kappa_shift));
 }
 
-/* ------------------------------------------------------------------------------------------------- the forms of paper 001 itself
+/* ----------------------------------------------------------------------------------------------- the forms of paper 001 itself
  * For comparison; their set-ups are in arc_papers.c and are linked only where they are called. All start at the start of the
  * arc. Lengths under a pixel count as one pixel; the other arguments are as for lmb_arc_prepare and lmb_arc_start. */
 
@@ -69,9 +69,11 @@ static inline void lmb_plain32_step(lmb_plain32 *term)
 
 /* A block of four pixels from the two before it in 16 bits, formats as for lmb_plain16. Eq. 7 and 9 give the first two; (10)
  * and (11) as printed do not hold, not even at phi = 0. Derived again, in the paper's own operands:
- *     f(t+3) = cos(2 phi) (4 cos(phi) f(t) - 2 f(t-1)) - f(t-1)                                      = 2 cos(2 phi) f(t+1) - f(t-1)
- *     f(t+4) = (4 cos^2(2 phi) + 2 cos(2 phi) - 1) f(t) - 4 cos(phi) cos(2 phi) f(t-1)     = 2 cos(2 phi) f(t+2) - f(t)
- * The right-hand sides are what is computed: five multiplications for four pixels, each product at most 2^30. */
+ *     f(t+3) = cos(2 phi) (4 cos(phi) f(t) - 2 f(t-1)) - f(t-1)
+ *            = 2 cos(2 phi) f(t+1) - f(t-1)
+ *     f(t+4) = (4 cos^2(2 phi) + 2 cos(2 phi) - 1) f(t) - 4 cos(phi) cos(2 phi) f(t-1)
+ *            = 2 cos(2 phi) f(t+2) - f(t)
+ * The second forms are what is computed: five multiplications for four pixels, each product at most 2^30. */
 typedef struct lmb_block4 {
     int32_t f, before, twice_cos, twice_cos2;
 } lmb_block4;
@@ -79,7 +81,8 @@ void lmb_block4_prepare(lmb_block4 *term, int32_t u_q28, uint32_t length, int32_
 static inline void lmb_block4_step(lmb_block4 *term, int32_t next_q14[4])
 {
     const int32_t f = term->f, before = term->before;
-    int32_t second = lmb_sub(lmb_shr_round(lmb_mul(term->twice_cos2, f), 14), lmb_shr_round(lmb_mul(term->twice_cos, before), 14));
+    int32_t second = lmb_sub(lmb_shr_round(lmb_mul(term->twice_cos2, f), 14),
+                             lmb_shr_round(lmb_mul(term->twice_cos, before), 14));
     next_q14[0] = lmb_wrap16(lmb_sub(lmb_shr_round(lmb_mul(term->twice_cos, f), 14), before));
     next_q14[1] = lmb_wrap16(lmb_add(second, f));
     next_q14[2] = lmb_wrap16(lmb_sub(lmb_shr_round(lmb_mul(term->twice_cos2, next_q14[0]), 14), before));

@@ -8,7 +8,7 @@
 static const int exponents[] = {2, 16, 64, 100, 256, 512, 1000};
 enum { DIFFUSE = -1, N_256 = 4, N_1000 = 6, EXPONENTS = 7 };
 
-/* ------------------------------------------------------------------------------------------------------------ exact set-up values */
+/* -------------------------------------------------------------------------------------------------------- exact set-up values */
 
 typedef struct phase_case {
     double psi, phase;
@@ -71,7 +71,29 @@ static void test_phases(test_random *r, const char *name, double psi_max, double
                  c.psi * 180 / ARC_PI, c.length / 16.0, (unsigned)c.start, c.phase);
 }
 
-/* ------------------------------------------------------------------------------------------------- spans between rounded normals */
+/* The amplitude alone, which a highlight multiplies by n: the largest f of an arc that passes its peak. */
+static void test_amplitude(test_random *r)
+{
+    double worst = 0;
+    int i;
+    for (i = 0; i < 4000; i++) {
+        double psi = RIGHT * test_real(r, 0.1, 1), peak = psi * test_real(r, 0, 1), f = 0, want = 0;
+        uint32_t length = arc_random_length(r, 2, 1024), x, start = (uint32_t)test_integer(r, 0, 16);
+        lmb_arc arc;
+        lmb_term term;
+        lmb_arc_prepare(&arc, arc_u_q28(psi), length, start);
+        lmb_arc_start(&arc, &term, arc_q30(cos(peak)), arc_q30(cos(psi - peak) - cos(peak)));
+        for (x = start; x <= length; x += 16) {
+            f = fmax(f, term.f / 1073741824.0);
+            want = fmax(want, cos(psi * x / length - peak));
+            lmb_arc_step(&arc, &term);
+        }
+        if (want > 1 - 1e-4) worst = fmax(worst, fabs(f - want)); /* near the peak an error of angle counts little */
+    }
+    test_verdict(worst <= 1.0 / (1 << 18), "arc_amplitude", "%.3g at the peak", worst);
+}
+
+/* ---------------------------------------------------------------------------------------------- spans between rounded normals */
 
 static double span_error(const arc_case *c, int which)
 {
@@ -114,8 +136,8 @@ static void test_spans(test_random *r, const char *name, double psi_max, int whi
         }
     }
     test_verdict(worst <= bound, name, "%.3g of %.3g, normals (%d %d %d) (%d %d %d), ray (%d %d %d), %.4f px, start %u/16", worst,
-                 bound, best.from.x, best.from.y, best.from.z, best.to.x, best.to.y, best.to.z, best.ray.x, best.ray.y, best.ray.z,
-                 best.length / 16.0, (unsigned)best.start);
+                 bound, best.from.x, best.from.y, best.from.z, best.to.x, best.to.y, best.to.z, best.ray.x, best.ray.y,
+                 best.ray.z, best.length / 16.0, (unsigned)best.start);
 }
 
 /* The same with the library's lobe in the place of the exact power: what a highlight errs by in all. */
@@ -160,7 +182,7 @@ static void test_lobes(test_random *r)
     }
 }
 
-/* ------------------------------------------------------------------------------------------------------------------- edge cases */
+/* ----------------------------------------------------------------------------------------------------------------- edge cases */
 
 /* Largest |f| from the first pixel to the last, -1 if a pixel or the one after it leaves [-limit, limit]. */
 static double span_peak(const arc_case *c, double limit)
@@ -213,13 +235,16 @@ static void test_opposite_normals(test_random *r)
             lmb_arc_step(&arc, &term);
         }
     }
-    test_verdict(off <= 1e-4 && outside <= 1e-4, "arc_opposite_normals", "off the line by %.3g, outside the ends by %.3g", off, outside);
+    test_verdict(off <= 1e-4 && outside <= 1e-4, "arc_opposite_normals", "off the line by %.3g, outside the ends by %.3g", off,
+                 outside);
 }
 
 /* Arcs of up to one pixel: every length and every start. */
 static void test_single_pixels(test_random *r)
 {
     arc_errors e = {0, {0}};
+    lmb_arc arc;
+    lmb_term term;
     uint32_t length, start;
     int i;
     for (i = 0; i < 400; i++) {
@@ -230,7 +255,9 @@ static void test_single_pixels(test_random *r)
                 arc_measure(&e, &c, exponents, EXPONENTS);
             }
             c.start = 16; /* past the end: the end */
-            if (span_peak(&c, 1.0001) < 0) e.f = 1;
+            lmb_arc_between(&arc, c.from, c.to, c.length, c.start);
+            lmb_arc_dot(&arc, &term, c.from, c.to, c.ray, 65536);
+            e.f = fmax(e.f, fabs(term.f / 1073741824.0 - arc_inner(arc_from(c.to), arc_from(c.ray))));
         }
     }
     test_verdict(e.f <= LMB_ARC_MAX_ERROR && e.power[N_1000] <= LMB_SPAN_GLOSS_MAX_ERROR, "arc_single_pixels",
@@ -298,7 +325,7 @@ static void test_scale(test_random *r)
     test_verdict(worst <= 1.0 / (1 << 17), "arc_scale", "%.3g from the unscaled term", worst);
 }
 
-/* ---------------------------------------------------------------------------------------------------- the forms of paper 001 itself */
+/* ---------------------------------------------------------------------------------------------- the forms of paper 001 itself */
 
 static double paper_error(int form, double psi, uint32_t pixels, double phase)
 {
@@ -350,8 +377,8 @@ static void test_cost(void)
     lmb_arc_start(&arc, &term, 0x40000000, -0x40000000);
     before = lmb_count;
     lmb_arc_step(&arc, &term);
-    test_verdict(lmb_count.multiplications - before.multiplications == 1 && lmb_count.additions - before.additions == 2, "arc_cost",
-                 "one multiplication, two additions a pixel");
+    test_verdict(lmb_count.multiplications - before.multiplications == 1 && lmb_count.additions - before.additions == 2,
+                 "arc_cost", "one multiplication, two additions a pixel");
 }
 #endif
 
@@ -362,6 +389,7 @@ int main(int argc, char **argv)
     test_phases(&r, "arc_error_short", RIGHT, 1, 4, LMB_ARC_MAX_ERROR, 400000);
     test_phases(&r, "arc_error_wide", WIDE, 1, 1024, LMB_ARC_WIDE_MAX_ERROR, 40000);
     test_phases(&r, "arc_error_long", WIDE, 1024, 4096, LMB_ARC_WIDE_MAX_ERROR, 3000);
+    test_amplitude(&r);
     test_spans(&r, "span_diffuse", RIGHT, DIFFUSE, LMB_SPAN_DIFFUSE_MAX_ERROR, 60000, 40000);
     test_spans(&r, "span_specular", RIGHT, N_256, LMB_SPAN_SPECULAR_MAX_ERROR, 60000, 40000);
     test_spans(&r, "span_gloss", RIGHT, N_1000, LMB_SPAN_GLOSS_MAX_ERROR, 60000, 60000);
