@@ -23,7 +23,7 @@ TABLES := $(filter-out icosphere torus teapot,$(TABLES))
 GATED := host m0plus
 
 .DEFAULT_GOAL := help
-.PHONY: help demo check deps report size exhaustive tables check-tables tools tests clean
+.PHONY: help demo check deps report figures pictures size exhaustive tables check-tables tools tests clean
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -53,6 +53,17 @@ report: $(B)/bin/report_lobe $(B)/bin/report_arc $(B)/bin/report_span $(B)/bin/r
 	$(Q)mkdir -p $(B)/report
 	$(Q)for t in lobe arc span image; do \
 	    echo "$(B)/report/$$t.csv"; $(B)/bin/report_$$t > $(B)/report/$$t.csv || exit 1; done
+
+## figures: write the README's table of figures anew
+figures: report
+	$(Q)hosttest/size.sh $(B)/size > $(B)/report/size.txt; hosttest/figures.sh $(B)/report $(B)/report/size.txt
+
+## pictures: write docs/pictures/*.png anew from the demo scenes (needs oiiotool)
+pictures: demo
+	$(Q)mkdir -p docs/pictures
+	$(Q)oiiotool $(addprefix $(B)/demo/,teapot-tight.bmp torus.bmp icosphere-1280-tight.bmp) --mosaic 3x1 \
+	    -o docs/pictures/gallery.png
+	$(Q)oiiotool $(B)/demo/still-life.bmp -o docs/pictures/still-life.png
 
 ## size: bytes of flash on Cortex-M0+, by function, against the budget
 size:

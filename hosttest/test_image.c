@@ -84,6 +84,7 @@ static void leave_pictures(const char *folder, const char *name, const ref_drawn
 typedef struct tally {
     const char *name;
     bool pooled; /* frames of a few hundred pixels: the share is counted over all frames */
+    bool large_faces;
     bool ok;
     unsigned frames, left;
     uint64_t pixels, within_1[2], ambiguous; /* [format] */
@@ -102,11 +103,14 @@ static void tally_begin(tally *t, const char *name, bool pooled)
     t->psnr_db = 99;
 }
 
-static bool meets_bars(const ref_score *score, const ref_frame *frame, const ref_drawn *drawn, bool pooled)
+/* A large face of one colour may be one level off as a whole, where the true value is next to a tie: 48 dB, and no fault. So flat
+ * shading is not asked for the PSNR where faces are large; its largest error is one level then. */
+static bool meets_bars(const ref_score *score, const ref_frame *frame, const ref_drawn *drawn, bool pooled, bool large_faces)
 {
     if (score->coverage_mismatch || frame->clipped || drawn->shaded != frame->fragments || score->pixels == 0) return false;
     if (!pooled && score->share_within_1 < BAR_SHARE) return false;
-    return drawn->format == LMB_RGB565 || (score->max_error <= BAR_MAX && score->psnr_db >= BAR_DB);
+    if (drawn->format == LMB_RGB565) return true;
+    return large_faces ? score->max_error <= 1 : score->max_error <= BAR_MAX && score->psnr_db >= BAR_DB;
 }
 
 /* OpenImageIO's word on the same levels. Its figures are over the whole frame, where ours are over painted pixels. */
@@ -147,7 +151,7 @@ static void tally_frame(tally *t, const scene *s, const variant *v, const ref_fr
     ref_draw(&drawn, s, v->model, step_of(v, s), format);
     ref_judge(&score, frame, &drawn, levels);
     snprintf(label, sizeof label, "%s_%s_%s", s->name, v->name, is888 ? "rgb888" : "rgb565");
-    if (!meets_bars(&score, frame, &drawn, t->pooled) || !oiio_agrees(&score, &drawn, levels)) {
+    if (!meets_bars(&score, frame, &drawn, t->pooled, t->large_faces && v->model == LMB_MODEL_FLAT) || !oiio_agrees(&score, &drawn, levels)) {
         t->ok = false;
         describe_failure(t, label, &score, frame, &drawn, levels);
     }
@@ -287,6 +291,7 @@ static void test_coarse(unsigned which, const char *name)
     tally t;
     int m, f;
     tally_begin(&t, name, false);
+    t.large_faces = true;
     for (m = HARD_TETRAHEDRON; m <= HARD_ICOSPHERE_80; m++) {
         for (f = 0; f < 2; f++) {
             scene s;
@@ -305,6 +310,7 @@ static void test_slivers(unsigned which, const char *name)
     tally t;
     int m, i;
     tally_begin(&t, name, false);
+    t.large_faces = true;
     for (m = HARD_TUBE_AROUND; m <= HARD_CONE; m++) {
         for (i = 0; i < 5; i++) {
             scene s;
@@ -398,6 +404,7 @@ static void test_large(unsigned which, const char *name)
     tally t;
     scene s;
     tally_begin(&t, name, false);
+    t.large_faces = true;
     hard_scene(&s, "large-sheet", 1024, 900, hard_mesh(HARD_SHEET), lmb_rotation(turn(20), turn(-30), turn(12)));
     s.object[0].material.shininess = 200;
     tally_scene(&t, &s, which);
@@ -413,6 +420,7 @@ static void test_outside(unsigned which, const char *name)
     tally t;
     int i;
     tally_begin(&t, name, false);
+    t.large_faces = true;
     for (i = 0; i < 6; i++) {
         scene s;
         char label[48];
@@ -496,7 +504,7 @@ static void test_clipped(void)
         cut += same.clipped;
         pixels += score.pixels;
         worst = fmin(worst, score.psnr_db);
-        outline = fmax(outline, score.pixels ? (double)score.coverage_mismatch / (double)score.pixels : 1);
+        outline = fmax(outline, (double)score.coverage_mismatch / fmax(1, (double)score.pixels));
         if (pictures_folder) {
             uint8_t *levels = malloc(200 * 200 * 3);
             char note[400];
@@ -540,7 +548,7 @@ static void test_judge_sees(void)
     ref_same_model(&frame, &s, LMB_MODEL_GLOSS, LMB_STEP_QUADRATIC);
     ref_draw(&drawn, &s, LMB_MODEL_GLOSS, LMB_STEP_QUADRATIC, LMB_RGB888);
     ref_judge(&score, &frame, &drawn, NULL);
-    false_alarms = !meets_bars(&score, &frame, &drawn, false);
+    false_alarms = !meets_bars(&score, &frame, &drawn, false, false);
     drawn.levels[3 * (120 * 240 + 120) + 1] ^= 4; /* one pixel off by four */
     drawn.painted[0] = true;                      /* and one too many */
     ref_judge(&score, &frame, &drawn, NULL);
@@ -551,12 +559,12 @@ static void test_judge_sees(void)
         fault[i].change(&wrong);
         ref_draw(&drawn, &wrong, LMB_MODEL_GLOSS, LMB_STEP_QUADRATIC, LMB_RGB888);
         ref_judge(&score, &frame, &drawn, NULL);
-        missed += meets_bars(&score, &frame, &drawn, false);
+        missed += meets_bars(&score, &frame, &drawn, false, false);
         ref_drawn_end(&drawn);
     }
     ref_draw(&drawn, &s, LMB_MODEL_GLOSS, LMB_STEP_LINEAR, LMB_RGB888);
     ref_judge(&score, &frame, &drawn, NULL);
-    missed += meets_bars(&score, &frame, &drawn, false);
+    missed += meets_bars(&score, &frame, &drawn, false, false);
     ref_drawn_end(&drawn);
     ref_frame_end(&frame);
     test_verdict(!missed && !false_alarms, "image_judge_sees", "seven faults, %u missed; %u false alarms", missed, false_alarms);

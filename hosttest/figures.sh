@@ -1,0 +1,60 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# The README's table of figures, from build/report/*.csv and the size of a linked image; written between its marks.
+# usage: figures.sh REPORT_FOLDER SIZE_LOG [--check]    (--check: compare only, exit status 1 if the README differs)
+set -u
+report=$1 sizes=$2 mode=${3:-write}
+for f in "$report/lobe.csv" "$report/arc.csv" "$report/span.csv" "$report/image.csv" "$sizes"; do
+    [ -s "$f" ] || { echo "figures: $f is missing; run make figures"; exit 1; }
+done
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+# worst FILE CONDITION COLUMN: the largest value of a column where an awk condition on the fields holds.
+worst() { awk -F, "NR > 1 && $2 { if (\$$3 + 0 > w) w = \$$3 + 0 } END { printf \"%.2g\", w }" "$1"; }
+bytes() { awk -v what="$1" 'index($0, "  " what) == 1 { for (i = 1; i < NF; i++) if ($(i + 1) == "bytes") print $i }' "$sizes"; }
+
+{
+    echo "<!-- figures: begin (make figures) -->"
+    echo "| what | largest error | bar |"
+    echo "|---|---|---|"
+    echo "| highlight, every n from 1 to 1000, integers, at most 4 multiplications | $(worst "$report/lobe.csv" '$1=="lambent" && $3=="integer"' 6) | 1/700 = 0.0014 |"
+    echo "| the same as published (W₁₆), integers | $(worst "$report/lobe.csv" '$1=="w16" && $3=="integer"' 6) | |"
+    echo "| arc, 1 to 1024 pixels, turn up to 90° | $(worst "$report/arc.csv" '$1=="lambent" && $2<=90 && $3<=1024' 4) | 2⁻¹⁴ = 0.000061 |"
+    echo "| the recurrence as published, 16 bits, the same | $(worst "$report/arc.csv" '$1=="plain16" && $2<=90 && $3<=1024' 4) | |"
+    echo "| span from two Q2.14 normals, diffuse | $(worst "$report/span.csv" '$1=="diffuse" && $3<=90' 5) | 1/2000 = 0.0005 |"
+    echo "| span, highlight, n up to 256 | $(worst "$report/span.csv" '$1=="specular" && $2<=256 && $3<=90' 5) | 1/255 = 0.0039 |"
+    echo "| span, highlight, n up to 1000 | $(worst "$report/span.csv" '$1=="specular" && $3<=90' 5) | 2/255 = 0.0078 |"
+    echo
+    echo "Frames against the same model in double precision, gloss; errors in levels of the format:"
+    echo
+    echo "| scene | pixels | RGB888: PSNR | largest error | within one level | RGB565: largest error |"
+    echo "|---|---|---|---|---|---|"
+    awk -F, 'NR > 1 && $2 == "gloss" && $4 == "same_model" {
+        if ($3 == "rgb888") { order[++n] = $1; pixels[$1] = $5; psnr[$1] = $7; most[$1] = $8; share[$1] = $9 } else most565[$1] = $8 }
+        END { for (i = 1; i <= n; i++) { s = order[i]; printf "| %s | %d | %.1f dB | %d | %.3f %% | %d |\n", s, pixels[s], psnr[s], most[s], share[s] * 100, most565[s] } }' \
+        "$report/image.csv"
+    echo
+    echo "| flash on Cortex-M0+ (gcc -Os, sections collected) | bytes |"
+    echo "|---|---|"
+    echo "| gloss: diffuse + specular, quadratic, RGB565, from mesh to pixels | $(bytes gloss) |"
+    echo "| everything | $(bytes everything) |"
+    echo "| static RAM | $(bytes 'static RAM') |"
+    echo "<!-- figures: end -->"
+} >"$work/block"
+
+awk -v block="$work/block" '
+    /<!-- figures: begin/ { while ((getline line <block) > 0) print line; skip = 1 }
+    !skip
+    /<!-- figures: end/ { skip = 0 }' README.md >"$work/README.md"
+if [ "$mode" = --check ]; then
+    if cmp -s README.md "$work/README.md"; then
+        echo "pass README figures: as the commands print them"
+    else
+        echo "FAIL README figures: not what the commands print; run make figures"
+        diff README.md "$work/README.md"
+        exit 1
+    fi
+else
+    cat "$work/README.md" >README.md
+fi
