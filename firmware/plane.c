@@ -12,17 +12,22 @@
  * and sums modulo 2^32 do not care about the way. For that to hold every product is formed whole and shifted once, into the
  * wrapping state: shifting a wrapped number would lose its top.
  *
- * Errors. Linear part: numerators are exact sums of products of the rounded rises, times one reciprocal that all of them share, so
- * its relative error (2^-16) scales the function and does not tear it: the error stays under 2^-16 of the rise, whatever the
- * triangle's shape. Quadratic part: gradients of 14 bits, products exact after that: 4 b times 2^-14 times the triangle's length over
- * its height.
+ * Numerators a px + b py are exact integers, in the linear part and in the quadratic one; only what multiplies the whole is rounded:
+ * the rises and bulges (14 bits and more) and one reciprocal of the area, or of its square, which all six numbers of a plane share. An
+ * error of such a factor scales the function and does not tear it, so errors do not grow with the triangle's length over its height:
+ * they stay under 2^-16 of the rise and 2^-14 of the bulge. (Rounded gradients of lambda were tried first: 4 b 2^-14 times that ratio,
+ * 99 levels in the worst sliver.)
+ *
+ * The anchor is the pixel of corner 0; where that lies outside [0, ANCHOR_MAX] it is moved there, so that the rounding of the second
+ * differences, 2^-31, is not carried over ten thousand pixels. It depends on the triangle alone, never on the window.
  */
 #include "plane.h"
 
-/* Extents are shifted down to this many bits, 1024 pixels, so that areas fit 32 bits. */
-#define LATTICE_BITS 14
-#define GRADIENT_BITS 14
-#define CURVATURE_BITS 13
+/* Extents are shifted down to this many bits, 1024 and 512 pixels: larger triangles lie on a grid coarser than 1/16 pixel. */
+#define LINEAR_BITS 14
+#define CURVED_BITS 13
+#define CURVATURE_BITS 14
+#define ANCHOR_MAX 1023 /* pixels */
 
 static unsigned bits_of(uint32_t x) { return 32u - lmb_clz32(x); }
 static uint32_t magnitude(int32_t x) { return x < 0 ? 0u - (uint32_t)x : (uint32_t)x; }
@@ -54,71 +59,108 @@ static void form_set(int32_t form[3], const int32_t u[2], const int32_t v[2])
     form[2] = lmb_add(lmb_mul(u[0], v[1]), lmb_mul(u[1], v[0]));
 }
 
-/* Gradients of lambda per pixel as integers of GRADIENT_BITS with one exponent, and the six products that planes need.
- * |g| <= 2^14, |at| <= 2^14, |2 at + g| <= 3 * 2^14: products <= 3 * 2^28, their sums < 2^31. */
-static void lattice_curve(lmb_lattice *l)
+/* The edges of a triangle from corner 0, on a grid of 2^down / 16 pixel. */
+typedef struct edges {
+    int32_t x1, y1, x2, y2;
+} edges;
+
+static edges edges_down(edges e, unsigned down)
 {
-    int32_t gx[2], gy[2], at[2], up[2];
-    int drop = (int)l->bits + 16 - GRADIENT_BITS; /* a * reciprocal_q16 < 2^(bits + 16) */
-    int i;
-    gx[0] = over_area(l->a1, l, drop);
-    gy[0] = over_area(l->b1, l, drop);
-    gx[1] = over_area(l->a2, l, drop);
-    gy[1] = over_area(l->b2, l, drop);
-    l->exponent = (unsigned)(12 + (int)l->shift - drop + 64); /* biased by 64: slivers have gradients far above one */
-    for (i = 0; i < 2; i++) {
-        at[i] = lmb_shr_round(lmb_add(lmb_mul(gx[i], l->offset_x), lmb_mul(gy[i], l->offset_y)), 4);
+    if (down > 0) {
+        e.x1 = lmb_shr(e.x1, down);
+        e.y1 = lmb_shr(e.y1, down);
+        e.x2 = lmb_shr(e.x2, down);
+        e.y2 = lmb_shr(e.y2, down);
     }
-    form_set(l->form[0], at, at);
-    for (i = 0; i < 2; i++) up[i] = lmb_add(lmb_shl(at[i], 1), gx[i]);
-    form_set(l->form[1], up, gx);
-    for (i = 0; i < 2; i++) up[i] = lmb_add(lmb_shl(at[i], 1), gy[i]);
-    form_set(l->form[2], up, gy);
-    form_set(l->form[3], gx, gx);
-    form_set(l->form[4], gy, gy);
-    form_set(l->form[5], gx, gy);
+    return e;
 }
+
+static unsigned edges_bits(const edges *e)
+{
+    return bits_of(magnitude(e->x1) | magnitude(e->y1) | magnitude(e->x2) | magnitude(e->y2));
+}
+
+/* 1 / area as 16 bits and a shift; area < 2^(2 * 14 + 1). */
+static uint32_t area_reciprocal(const edges *e, unsigned *shift)
+{
+    uint32_t area = (uint32_t)lmb_max(1, lmb_sub(lmb_mul(e->x1, e->y2), lmb_mul(e->x2, e->y1)));
+    return (uint32_t)lmb_min((int32_t)((lmb_reciprocal(area, shift) + 0x4000u) >> 15), 65535);
+}
+
+/* The products that quadratics need, from whole numerators. |a|, |b| < 2^13; numerators at the anchor are shifted down to 15 bits, the
+ * same in value and first differences; eight of a or b more, half a pixel on, is less than 2^15 + 2^16, and times 2^13, twice, under 2^31. */
+static void lattice_curve(lmb_lattice *l, edges e)
+{
+    unsigned size = edges_bits(&e), down = size > CURVED_BITS ? size - CURVED_BITS : 0, drop, shift, i;
+    int32_t x[2], y[2], at[2], on[2], offset_x = l->offset_x, offset_y = l->offset_y;
+    uint32_t reciprocal_q16;
+    e = edges_down(e, down);
+    reciprocal_q16 = area_reciprocal(&e, &shift);
+    l->square_q16 = lmb_mulu(reciprocal_q16, reciprocal_q16) >> 16;
+    l->square_shift = 2 * (int32_t)(shift + down);
+    size = edges_bits(&e) + bits_of(magnitude(offset_x) | magnitude(offset_y)) + 1;
+    drop = size > 31 ? size - 31 : 0; /* only after the anchor was moved */
+    offset_x = lmb_shr(offset_x, drop);
+    offset_y = lmb_shr(offset_y, drop);
+    x[0] = e.y2;
+    y[0] = lmb_sub(0, e.x2);
+    x[1] = lmb_sub(0, e.y1);
+    y[1] = e.x1;
+    for (i = 0; i < 2; i++) at[i] = lmb_add(lmb_mul(x[i], offset_x), lmb_mul(y[i], offset_y));
+    size = bits_of(magnitude(at[0]) | magnitude(at[1]));
+    shift = size > 15 ? size - 15 : 0;
+    at[0] = lmb_shr(at[0], shift);
+    at[1] = lmb_shr(at[1], shift);
+    shift += drop;
+    l->at_shift = (int32_t)shift;
+    form_set(l->form[0], at, at);
+    for (i = 0; i < 2; i++) on[i] = lmb_add(at[i], lmb_shr(lmb_shl(x[i], 3), shift));
+    form_set(l->form[1], on, x);
+    for (i = 0; i < 2; i++) on[i] = lmb_add(at[i], lmb_shr(lmb_shl(y[i], 3), shift));
+    form_set(l->form[2], on, y);
+    form_set(l->form[3], x, x);
+    form_set(l->form[4], y, y);
+    form_set(l->form[5], x, y);
+}
+
+/* A pixel near corner 0 from which nothing in the frame is far. */
+static int32_t anchor(int32_t corner) { return lmb_max(0, lmb_min(lmb_shr(corner, 4), ANCHOR_MAX)); }
 
 void lmb_lattice_begin(lmb_lattice *l, const lmb_vertex *const corner[3], int32_t row, bool curved)
 {
-    int32_t x0 = corner[0]->x, y0 = corner[0]->y;
-    int32_t x1 = lmb_sub(corner[1]->x, x0), y1 = lmb_sub(corner[1]->y, y0);
-    int32_t x2 = lmb_sub(corner[2]->x, x0), y2 = lmb_sub(corner[2]->y, y0);
-    unsigned size = bits_of(magnitude(x1) | magnitude(y1) | magnitude(x2) | magnitude(y2));
-    unsigned down = size > LATTICE_BITS ? size - LATTICE_BITS : 0;
-    uint32_t area, reciprocal;
-    if (down > 0) { /* a grid coarser than 1/16 pixel, for triangles of more than 1024 pixels */
-        x1 = lmb_shr(x1, down);
-        y1 = lmb_shr(y1, down);
-        x2 = lmb_shr(x2, down);
-        y2 = lmb_shr(y2, down);
-    }
-    l->a1 = y2;
-    l->b1 = lmb_sub(0, x2);
-    l->a2 = lmb_sub(0, y1);
-    l->b2 = x1;
-    l->bits = bits_of(magnitude(x1) | magnitude(y1) | magnitude(x2) | magnitude(y2));
-    area = (uint32_t)lmb_max(1, lmb_sub(lmb_mul(x1, y2), lmb_mul(x2, y1)));
-    reciprocal = lmb_reciprocal(area, &l->shift);
-    l->reciprocal_q16 = (uint32_t)lmb_min((int32_t)((reciprocal + 0x4000u) >> 15), 65535);
+    int32_t x0 = corner[0]->x, y0 = corner[0]->y, anchor_row = anchor(y0);
+    edges whole = {lmb_sub(corner[1]->x, x0), lmb_sub(corner[1]->y, y0), lmb_sub(corner[2]->x, x0), lmb_sub(corner[2]->y, y0)}, e;
+    unsigned size = edges_bits(&whole), down = size > LINEAR_BITS ? size - LINEAR_BITS : 0;
+    e = edges_down(whole, down);
+    l->a1 = e.y2;
+    l->b1 = lmb_sub(0, e.x2);
+    l->a2 = lmb_sub(0, e.y1);
+    l->b2 = e.x1;
+    l->bits = edges_bits(&e);
+    l->reciprocal_q16 = area_reciprocal(&e, &l->shift);
     l->shift += down; /* p / 2^down over area / 4^down is p over area times 2^down */
-    l->offset_x = lmb_sub(8, x0 & 15);
-    l->offset_y = lmb_sub(8, y0 & 15);
-    l->rows = lmb_sub(row, lmb_shr(y0, 4));
+    l->column = anchor(x0);
+    l->rows = lmb_sub(row, anchor_row);
+    l->offset_x = lmb_sub(lmb_add(lmb_shl(l->column, 4), 8), x0);
+    l->offset_y = lmb_sub(lmb_add(lmb_shl(anchor_row, 4), 8), y0);
+    size = bits_of(magnitude(l->offset_x) | magnitude(l->offset_y));
+    l->offset_drop = size > 4 ? size - 3 : 0;
     l->curved = curved;
-    if (l->curved) lattice_curve(l);
+    if (curved) lattice_curve(l, whole);
 }
 
-/* The sum of a form's three products with the curvatures q, |q| < 2^13: low parts sum to less than 3 * 2^29. */
+/* The sum of a form's three products with the curvatures q, |q| < 2^14, over 2^shift, to nearest. Products are formed in two halves;
+ * carries go up at once: high parts sum to less than 3 * 2^29, low ones stay under 2^30. */
 static int32_t form_apply(const int32_t form[3], const int32_t q[3], int32_t shift)
 {
     int32_t high = 0, low = 0;
     int i;
     for (i = 0; i < 3; i++) {
-        high = lmb_add(high, lmb_mul(lmb_shr(form[i], 16), q[i]));
         low = lmb_add(low, lmb_mul((int32_t)((uint32_t)form[i] & 0xffffu), q[i]));
+        high = lmb_add(lmb_add(high, lmb_mul(lmb_shr(form[i], 16), q[i])), lmb_shr(low, 16));
+        low &= 0xffff;
     }
-    if (shift > 0 && shift <= 16) { /* to nearest */
+    if (shift > 0 && shift <= 16) {
         low = lmb_add(low, lmb_shl(1, (unsigned)shift - 1));
     } else if (shift > 16) {
         high = lmb_add_wrap(high, lmb_shl_wrap(1, (unsigned)lmb_min(shift - 17, 31)));
@@ -126,22 +168,24 @@ static int32_t form_apply(const int32_t form[3], const int32_t q[3], int32_t shi
     return join(high, low, shift);
 }
 
+/* Adds the quadratic part. Bulges are below one in magnitude, so |q| < 2^30 in units of 4 * 2^-28. */
 static void plane_curve(lmb_plane *plane, const lmb_lattice *l, const lmb_net *net)
 {
-    int32_t q[3], value[6];
+    int32_t q[3], value[6], base, at = l->at_shift;
     unsigned size, drop;
-    int32_t shift;
     int i;
-    /* in units of 4 * 2^-28: |bulge| <= 1, so |q| < 2^30 */
     q[0] = lmb_sub(0, net->bulge01);
     q[1] = lmb_sub(0, net->bulge20);
     q[2] = lmb_shr(lmb_sub(lmb_sub(net->bulge12, net->bulge01), net->bulge20), 1);
+    for (i = 0; i < 3; i++) q[i] = lmb_mul_q16(q[i], l->square_q16);
     size = bits_of(magnitude(q[0]) | magnitude(q[1]) | magnitude(q[2]));
     if (size == 0) return;
     drop = size > CURVATURE_BITS ? size - CURVATURE_BITS : 0;
-    for (i = 0; i < 3 && drop > 0; i++) q[i] = lmb_shr_round(q[i], drop);
-    shift = 2 * ((int32_t)l->exponent - 64) + 26 - (int32_t)drop - 30;
-    for (i = 0; i < 6; i++) value[i] = form_apply(l->form[i], q, i < 3 ? shift : shift - 1);
+    for (i = 0; i < 3 && drop > 0; i++) q[i] = lmb_shr(q[i], drop);
+    /* Q2.30 of 4 * 2^-28 * q 2^(drop + 16) * 2^-(16 + square_shift) times a form: over 2^base */
+    base = l->square_shift - 4 - (int32_t)drop;
+    value[0] = form_apply(l->form[0], q, base - 2 * at);
+    for (i = 1; i < 6; i++) value[i] = form_apply(l->form[i], q, i < 3 ? base - 5 - at : base - 9);
     plane->f = lmb_add_wrap(plane->f, value[0]);
     plane->dx = lmb_add_wrap(plane->dx, value[1]);
     plane->dy = lmb_add_wrap(plane->dy, value[2]);
@@ -150,9 +194,11 @@ static void plane_curve(lmb_plane *plane, const lmb_lattice *l, const lmb_net *n
     plane->dxy = value[5];
 }
 
-/* (n * offset) / 16 with |offset| <= 8, whatever n: the low four bits go apart. */
-static int32_t sixteenths(int32_t n, int32_t offset)
+/* n * offset / 2^(4 + offset_drop): at most half of n's range. Where the offset is within a pixel, in 32 bits: the low four bits go
+ * apart. */
+static int32_t offset_times(int32_t n, int32_t offset, unsigned offset_drop)
 {
+    if (offset_drop > 0) return lmb_mul_shr(n, offset, 4 + offset_drop);
     return lmb_add(lmb_mul(lmb_shr(n, 4), offset), lmb_shr(lmb_mul(n & 15, offset), 4));
 }
 
@@ -183,7 +229,9 @@ void lmb_plane_begin(lmb_plane *plane, const lmb_lattice *l, const lmb_net *net)
     /* per pixel and in Q2.30: numerator * 16 * reciprocal_q16 * 2^-(16 + shift) * 2^(30 - 28 + drop) */
     shift = (int32_t)l->shift + 10 - (int32_t)drop;
     plane->f = lmb_add_wrap(lmb_shl_wrap(net->value, 2),
-                            over_area(lmb_add(sixteenths(nx, l->offset_x), sixteenths(ny, l->offset_y)), l, shift));
+                            over_area(lmb_add(offset_times(nx, l->offset_x, l->offset_drop),
+                                              offset_times(ny, l->offset_y, l->offset_drop)),
+                                      l, shift - (int32_t)l->offset_drop));
     plane->dx = over_area(nx, l, shift);
     plane->dy = over_area(ny, l, shift);
     plane->dxx = plane->dxy = plane->dyy = 0;

@@ -5,19 +5,22 @@
 
 #include "lambent.h"
 
-/* What all planes of one triangle share. p is a position relative to corner 0 in 1/16 pixel, lambda1 and lambda2 its barycentric
- * coordinates for corners 1 and 2: lambda1 = (a1 px + b1 py) / area, lambda2 = (a2 px + b2 py) / area. */
+/* What all planes of one triangle share. With p a position relative to corner 0 in 1/16 pixel, the barycentric coordinates of corners
+ * 1 and 2 are lambda1 = (a1 px + b1 py) / area and lambda2 = (a2 px + b2 py) / area. */
 typedef struct lmb_lattice {
-    int32_t a1, b1, a2, b2;  /* |.| < 2^LATTICE_BITS */
-    uint32_t reciprocal_q16; /* of the area: 1 / area = reciprocal_q16 * 2^-(16 + shift), 16 bits */
+    int32_t a1, b1, a2, b2;         /* |.| < 2^bits */
+    unsigned bits;
+    uint32_t reciprocal_q16;        /* 1 / area = reciprocal_q16 * 2^-(16 + shift) */
     unsigned shift;
-    unsigned bits;           /* of the largest of a1 ... b2 */
-    int32_t offset_x, offset_y; /* from corner 0 to the centre of its pixel, 1/16 pixel, -7 to 8 */
-    int32_t rows;            /* from the pixel of corner 0 to the row where planes begin */
-    unsigned exponent;       /* of the gradients behind forms: lambda per pixel = integer * 2^-exponent */
-    bool curved;             /* forms is valid */
-    /* Products of gradients, from which each second-order plane takes its six numbers: value, dx, dy, dxx/2, dyy/2, dxy/2,
-     * each as (lambda1 lambda1, lambda2 lambda2, lambda1 lambda2 twice). */
+    int32_t column;                 /* the anchor: the pixel where planes are set up */
+    int32_t rows;                   /* from there to the row where they begin */
+    int32_t offset_x, offset_y;     /* from corner 0 to the anchor's centre, 1/16 pixel; -7 to 8 unless the anchor was moved */
+    unsigned offset_drop;           /* |offset| < 2^(3 + offset_drop), or |offset| <= 8 and 0 */
+    bool curved;                    /* the rest is valid */
+    uint32_t square_q16;            /* 1 / area^2 = square_q16 * 2^-(16 + square_shift) */
+    int32_t square_shift, at_shift; /* numerators at the anchor are forms times 2^at_shift */
+    /* Products of numerators, from which each quadratic takes its six numbers: value, dx, dy, dxx/2, dyy/2, dxy/2, each as
+     * (lambda1 lambda1, lambda2 lambda2, lambda1 lambda2 twice). */
     int32_t form[6][3];
 } lmb_lattice;
 
@@ -32,7 +35,7 @@ typedef struct lmb_net {
  * bulges too. */
 void lmb_lattice_begin(lmb_lattice *lattice, const lmb_vertex *const corner[3], int32_t row, bool curved);
 
-/* The plane through a net, on the lattice's row and the pixel column of corner 0. Bulges count if the lattice is curved. */
+/* The plane through a net, on the lattice's row and column. Bulges count if the lattice is curved. */
 void lmb_plane_begin(lmb_plane *plane, const lmb_lattice *lattice, const lmb_net *net);
 
 /* One row down. */

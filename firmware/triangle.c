@@ -105,13 +105,13 @@ static void depth_begin(lmb_triangle *t, const lmb_lattice *lattice, const lmb_v
     lmb_plane_begin(&t->depth, lattice, &net);
 }
 
-/* Terms from the first row on; planes have the pixel column of corner 0 for their own. */
+/* Terms from the first row on. */
 static void terms_begin(lmb_triangle *t, const lmb_vertex *const corner[3])
 {
     bool curved = t->look->step == LMB_STEP_QUADRATIC && t->look->model >= LMB_MODEL_DIFFUSE;
     lmb_lattice lattice;
     lmb_lattice_begin(&lattice, corner, t->y, curved);
-    t->column = lmb_shr(corner[0]->x, 4);
+    t->column = lattice.column;
     lmb_shade_begin(t, &lattice, corner);
     if (LMB_WITH_DEPTH) depth_begin(t, &lattice, corner);
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What image checks take from OpenImageIO: PNG files, and figures that someone else reckons. Pictures are 8-bit RGB without gaps. */
+/* What image checks take from OpenImageIO: PNG files, and figures that someone else reckons. Pictures are 8-bit RGB
+ * without gaps. */
 #ifndef LMB_OIIO_H
 #define LMB_OIIO_H
 

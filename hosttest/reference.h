@@ -17,7 +17,7 @@
 
 #include "../port/host/scenes.h"
 
-/* ------------------------------------------------------------------------------------------------------------------- vectors */
+/* -------------------------------------------------------------------------------------------------------------------- vectors */
 
 typedef struct ref_vec {
     double x, y, z;
@@ -33,8 +33,8 @@ ref_vec ref_cross(ref_vec a, ref_vec b);
 /* At unit length; the zero vector gives (0, 0, 1), as lmb_normalise has it. */
 ref_vec ref_unit(ref_vec a);
 
-/* From a to b, both unit, evenly by angle: sin((1-t) psi) / sin(psi) a + sin(t psi) / sin(psi) b (paper 001, eq. 2). Linearly beyond
- * LMB_ARC_U_MAX, as the library documents. */
+/* From a to b, both unit, evenly by angle: sin((1-t) psi) / sin(psi) a + sin(t psi) / sin(psi) b (paper 001, eq. 2). Linearly
+ * beyond LMB_ARC_U_MAX, as the library documents. */
 ref_vec ref_slerp(ref_vec a, ref_vec b, double t);
 
 /* m times v and its transpose times v, m as it stands in Q2.14. */

@@ -19,7 +19,7 @@ static void *room(size_t bytes)
     return p;
 }
 
-/* ------------------------------------------------------------------------------------------------------------------------ draw */
+/* ----------------------------------------------------------------------------------------------------------------------- draw */
 
 static uint64_t draw_over(uint8_t *levels, scene s, lmb_rgb background, enum lmb_model model, enum lmb_step_kind step,
                           enum lmb_format format)
@@ -66,7 +66,7 @@ void ref_drawn_end(ref_drawn *drawn)
     free(drawn->painted);
 }
 
-/* ----------------------------------------------------------------------------------------------------------------------- judge */
+/* ---------------------------------------------------------------------------------------------------------------------- judge */
 
 static int largest_error(const ref_fragment *fragment, const uint8_t drawn[3], enum lmb_format format, int wanted[3])
 {
@@ -93,7 +93,8 @@ static int choose(const ref_frame *frame, size_t pixel, const uint8_t drawn[3], 
     return best;
 }
 
-static void judge_pixel(ref_score *score, const ref_frame *frame, const ref_drawn *drawn, size_t pixel, uint8_t *levels, double *sum)
+static void judge_pixel(ref_score *score, const ref_frame *frame, const ref_drawn *drawn, size_t pixel, uint8_t *levels,
+                        double *sum)
 {
     const uint8_t *got = drawn->levels + 3 * pixel;
     int layer = choose(frame, pixel, got, drawn->format), wanted[3], error, c;

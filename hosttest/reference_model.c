@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* The reference same_model: the library's own models, with its corners on the screen, in double.
  *
- * Coverage by edge functions in whole numbers, for every pixel of the bounding box; every term from the values at its nodes and the
- * pixel's barycentric coordinates. Nothing is stepped from pixel to pixel, so nothing accumulates.
+ * Coverage by edge functions in whole numbers, for every pixel of the bounding box; every term from the values at its nodes and
+ * the pixel's barycentric coordinates. Nothing is stepped from pixel to pixel, so nothing accumulates.
  */
 #include "reference.h"
 
@@ -57,10 +57,10 @@ static bool covers(const shaded *m, int64_t x, int64_t y, double weight[3])
     return true;
 }
 
-/* ---------------------------------------------------------------------------------------------------------------------- values */
+/* --------------------------------------------------------------------------------------------------------------------- values */
 
-/* The mid-edge normal is the normalised sum of two unit ones. Where they are more than 120 degrees apart, where the sum gets short
- * and then loses its direction, it is that sum itself: as documented in firmware/shade.c. */
+/* The mid-edge normal is the normalised sum of two unit ones. Where they are more than 120 degrees apart, where the sum gets
+ * short and then loses its direction, it is that sum itself: as documented in firmware/shade.c. */
 static ref_vec mid_normal(ref_vec a, ref_vec b)
 {
     ref_vec sum = ref_add(a, b);
@@ -101,7 +101,7 @@ static void blend(const shaded *m, const double l[3], ref_terms *out)
     }
 }
 
-/* ------------------------------------------------------------------------------------------------------------------------ arcs */
+/* ----------------------------------------------------------------------------------------------------------------------- arcs */
 
 /* Where the edge from a down to b crosses the centre line of row y, and the normal there, turned evenly on the way. */
 static double cross_edge(const corner *a, const corner *b, int y, ref_vec *normal)
@@ -127,7 +127,7 @@ static void row_begin(shaded *m, int y)
     m->right = a < b ? normal_b : normal_a;
 }
 
-/* ---------------------------------------------------------------------------------------------------------------------- pixels */
+/* --------------------------------------------------------------------------------------------------------------------- pixels */
 
 static void paint_pixel(ref_frame *frame, const shaded *m, int x, int y, const double weight[3], uint32_t triangle)
 {

@@ -173,7 +173,8 @@ static void soup(built *b)
     int i, k;
     for (i = 0; i < 60; i++) {
         vec3 p[3], axis = unit(make(any(&state, -1, 1), any(&state, -1, 1), any(&state, -0.5, 1.5)));
-        double size = i % 3 == 0 ? 0.08 : 0.7, spread = any(&state, 0, 0.8), x = any(&state, -0.8, 0.8), y = any(&state, -0.8, 0.8);
+        double size = i % 3 == 0 ? 0.08 : 0.7, spread = any(&state, 0, 0.8);
+        double x = any(&state, -0.8, 0.8), y = any(&state, -0.8, 0.8);
         for (k = 0; k < 3; k++) {
             p[k] = make(x + any(&state, -size, size), y + any(&state, -size, size), any(&state, -0.9, 0.9));
         }
@@ -261,3 +262,109 @@ void hard_scene_near(scene *s, double radius, double distance)
     lmb_camera_perspective(&s->camera, s->width, s->height, (int32_t)lround(radius * distance * SPACE_UNIT), SPACE_UNIT / 4,
                            16 * SPACE_UNIT);
 }
+
+uint16_t hard_turn(double degrees) { return (uint16_t)(lround(degrees * 65536 / 360) & 0xffff); }
+
+static lmb_matrix rotation(double x, double y, double z) { return lmb_rotation(hard_turn(x), hard_turn(y), hard_turn(z)); }
+
+/* ----------------------------------------------------------------------------------------------------------------------- sets */
+
+static void name_scene(char label[HARD_LABEL], const char *what, double which)
+{
+    snprintf(label, HARD_LABEL, "%s-%g", what, which);
+}
+
+static const lmb_mesh *demo_mesh(unsigned i)
+{
+    scene s;
+    scene_make(&s, i);
+    return s.object[0].mesh;
+}
+
+static void make_coarse(scene *s, unsigned i, char label[HARD_LABEL])
+{
+    enum hard_mesh which = (enum hard_mesh)(HARD_TETRAHEDRON + i / 2);
+    name_scene(label, hard_mesh_name(which), i & 1);
+    hard_scene(s, label, 200, 95, hard_mesh(which), rotation(20, i & 1 ? 107 : 47, 10));
+    if (i & 1) hard_scene_near(s, 95, 2.5);
+}
+
+static void make_sliver(scene *s, unsigned i, char label[HARD_LABEL])
+{
+    static const double tilt[5] = {0, 3, 50, 88.5, 91};
+    enum hard_mesh which = (enum hard_mesh)(HARD_TUBE_AROUND + i / 5);
+    name_scene(label, hard_mesh_name(which), tilt[i % 5]);
+    hard_scene(s, label, 200, 68, hard_mesh(which), rotation(tilt[i % 5], 13, 31 * (i % 5)));
+}
+
+static void make_shiny(scene *s, unsigned i, char label[HARD_LABEL])
+{
+    static const uint16_t n[9] = {1, 2, 3, 7, 12, 50, 200, 500, 1000};
+    name_scene(label, "shininess", n[i]);
+    hard_scene(s, label, 180, 85, hard_mesh(HARD_ICOSPHERE_320), rotation(17, 31 + 7.0 * i, 0));
+    s->object[0].material.shininess = n[i];
+}
+
+/* Grazing, straight on, and from behind. */
+static void make_light(scene *s, unsigned i, char label[HARD_LABEL])
+{
+    static const double to[7][3] = {{1, 0, 0.01}, {-1, 0.2, 0}, {0, -1, -0.2}, {0.3, 0.3, -1},
+                                    {0, 0, 1},    {0, 0, -1},   {0.2, 0, -1}};
+    name_scene(label, "light", i);
+    hard_scene(s, label, 160, 75, hard_mesh(HARD_ICOSPHERE_320), rotation(40, 20, 5));
+    hard_light(s, 0, to[i][0], to[i][1], to[i][2], s->light[0].colour);
+}
+
+/* One to four lights of different colours, whose sum is far above one in places. */
+static void make_saturated(scene *s, unsigned i, char label[HARD_LABEL])
+{
+    static const lmb_material bright = {{60, 60, 60}, {255, 240, 220}, {255, 255, 255}, 25};
+    static const lmb_rgb red = {255, 40, 20}, green = {30, 255, 60}, blue = {50, 30, 255}, white = {255, 255, 255};
+    name_scene(label, "lights", i + 1);
+    hard_scene(s, label, 200, 95, i & 1 ? hard_mesh(HARD_ICOSPHERE_80) : demo_mesh(4), rotation(-50, 24, 0));
+    s->object[0].material = bright;
+    if (i > 0) hard_light(s, 0, 40, 55, 70, red);
+    if (i > 0) hard_light(s, 1, -60, 10, 40, green);
+    if (i > 1) hard_light(s, 2, 10, -70, 50, blue);
+    if (i > 2) hard_light(s, 3, 45, 50, 60, white);
+}
+
+static void make_small(scene *s, unsigned i, char label[HARD_LABEL])
+{
+    name_scene(label, "small", i);
+    hard_scene(s, label, 24 + (int)i, 10 + 0.37 * i, i < 4 ? demo_mesh(i & 1 ? 4 : 2) : hard_mesh(HARD_ICOSAHEDRON),
+               rotation(33 * i, 71 * i, 0));
+}
+
+static void make_large(scene *s, unsigned i, char label[HARD_LABEL])
+{
+    name_scene(label, "large", i);
+    hard_scene(s, label, 1024, i ? 500 : 900, hard_mesh(i ? HARD_ICOSPHERE_320 : HARD_SHEET), rotation(20, -30, 12));
+    s->object[0].material.shininess = i ? 40 : 200;
+}
+
+/* Triangles of many times the frame's size, most of them outside it, none so far out that it is cut. Up to 3000 pixels, that is:
+ * second differences have 30 fraction bits, and half a unit of them counts n^2 / 2 times n pixels from a corner. */
+static void make_outside(scene *s, unsigned i, char label[HARD_LABEL])
+{
+    static const double radius[3] = {700, 1500, 3000};
+    name_scene(label, "outside", i);
+    hard_scene(s, label, 160, radius[i % 3], hard_mesh(i < 3 ? HARD_ICOSAHEDRON : HARD_ICOSPHERE_320), rotation(47 * i, 20, 3));
+}
+
+static void make_soup(scene *s, unsigned i, char label[HARD_LABEL])
+{
+    static const uint16_t n[3] = {8, 60, 300};
+    name_scene(label, "soup", i);
+    hard_scene(s, label, 256, 120, hard_mesh(HARD_SOUP), rotation(25 * i, 30 * i, 41 * i));
+    s->object[0].material.shininess = n[i];
+}
+
+const hard_set hard_sets[] = {
+    {"image_coarse", 6, make_coarse, false, true, false},        {"image_slivers", 15, make_sliver, false, true, false},
+    {"image_shininess", 9, make_shiny, false, false, true},      {"image_lights", 7, make_light, false, false, false},
+    {"image_saturation", 4, make_saturated, false, false, false}, {"image_small", 8, make_small, true, false, false},
+    {"image_large", 2, make_large, false, true, false},          {"image_outside", 6, make_outside, false, true, false},
+    {"image_soup", 3, make_soup, false, false, false},
+};
+const unsigned hard_set_count = sizeof hard_sets / sizeof hard_sets[0];

@@ -34,4 +34,22 @@ void hard_scene_near(scene *s, double radius, double distance);
 /* Takes another light in place of light i (or one more); the direction need not be normalised. */
 void hard_light(scene *s, unsigned i, double x, double y, double z, lmb_rgb colour);
 
+/* Degrees as the library counts angles. */
+uint16_t hard_turn(double degrees);
+
+#define HARD_LABEL 48
+
+/* A family of hard scenes. make writes scene i of it, named by label, which must outlive it. */
+typedef struct hard_set {
+    const char *name;
+    unsigned scenes;
+    void (*make)(scene *s, unsigned i, char label[HARD_LABEL]);
+    bool small;       /* frames of a few hundred pixels, to be counted together */
+    bool large_faces; /* a face can be much of a frame */
+    bool gloss_only;  /* what varies does not concern the other models */
+} hard_set;
+
+extern const hard_set hard_sets[];
+extern const unsigned hard_set_count;
+
 #endif

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* The reference true_surface: rays against the sphere and the torus that the meshes stand for, in double.
  *
- * Rays are taken into the object's space by the inverse of its rotation as it stands (Q2.14 makes it not quite orthogonal), so that
- * surface and mesh have the same place and shape. The sphere is a quadratic equation; the torus is marched along its distance
- * function, which never oversteps, and ends by bisection.
+ * Rays are taken into the object's space by the inverse of its rotation as it stands (Q2.14 makes it not quite orthogonal), so
+ * that surface and mesh have the same place and shape. The sphere is a quadratic equation; the torus is marched along its
+ * distance function, which never oversteps, and ends by bisection.
  */
 #include "reference.h"
 

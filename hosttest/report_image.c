@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Writes image.csv to stdout: how far each demo scene, drawn by the library, is from each of the three references.
  *
- * Errors are in levels of 255 for rgb888 and of the format for rgb565; psnr_db is 99 where nothing differs. Figures are over pixels
- * that both have painted; coverage_mismatch counts those that one of them has.
+ * Errors are in levels of 255 for rgb888 and of the format for rgb565; psnr_db is 99 where nothing differs. Figures are over
+ * pixels that both have painted; coverage_mismatch counts those that one of them has.
  */
 #include "reference.h"
 

@@ -53,7 +53,7 @@ void lmb_paint_prepare(lmb_paint *paint, const lmb_look *look, enum lmb_format f
     int i;
     unsigned k;
     for (i = 0; i < 3; i++) {
-        const channel c = channel_of(format, i);
+        const channel c = channel_of((int)format, i);
         paint->ambient[i] = lmb_mulu((uint32_t)look->ambient_q15[i] << (c.fraction - 15), c.top) + ((uint32_t)1 << (c.fraction - 1));
         for (k = 0; k < look->lights; k++) {
             paint->light[k].diffuse[i] = (uint16_t)coefficient(look->light[k].diffuse_q15[i], c);
