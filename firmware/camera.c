@@ -43,36 +43,51 @@ int lmb_camera_perspective(lmb_camera *camera, int width, int height, int32_t fo
     return LMB_OK;
 }
 
-static uint16_t saturate_depth(int32_t depth) { return (uint16_t)lmb_max(0, lmb_min(depth, 65535)); }
-
-/* center + value * focal, both Q16.16, to Q28.4, rounded; saturates. */
-static int32_t to_screen(int32_t center, int32_t value, int32_t focal, unsigned shift)
+/* centre + value * focal / 2^shift in Q28.4, rounded; far off screen it saturates beyond LMB_SCREEN_MAX. */
+static int32_t to_screen(int32_t centre, int32_t value, int32_t focal, unsigned shift)
 {
     int32_t twice = lmb_mul_shr_sat(value, focal, shift - 1);
-    return lmb_add(center, lmb_shr(lmb_add(lmb_max(lmb_min(twice, 1 << 24), -(1 << 24)), 1), 1));
+    return lmb_add(centre, lmb_shr(lmb_add(lmb_max(lmb_min(twice, 1 << 24), -(1 << 24)), 1), 1));
+}
+LMB_STATIC_ASSERT((1 << 23) - 32767 * 8L > LMB_SCREEN_MAX);
+
+static bool on_screen(int32_t q4) { return q4 >= -LMB_SCREEN_MAX && q4 <= LMB_SCREEN_MAX; }
+
+#define RAISE_MAX 24 /* keeps shifts below 64 */
+
+/* Depth of a distance in [near, far): what is farther than that has the greatest. */
+static uint16_t depth_at(const lmb_camera *camera, int32_t w, int32_t near_w_q16)
+{
+    int32_t gain = (int32_t)camera->depth_gain, depth = 65535;
+    if (w < camera->far_q16) {
+        depth = LMB_WITH_PERSPECTIVE && camera->perspective
+                    ? lmb_mul_shr_sat(65536 - near_w_q16, gain, 16)
+                    : lmb_mul_shr_sat(lmb_sub(w, camera->near_q16), gain, 14u + camera->depth_shift);
+    }
+    return (uint16_t)lmb_max(0, lmb_min(depth, 65535));
 }
 
 bool lmb_project(const lmb_camera *camera, lmb_point p, lmb_vertex *vertex)
 {
-    int32_t x, y, w = lmb_sub(0, p.z);
+    int32_t x = p.x, y = p.y, w = lmb_sub(0, p.z), near_w_q16 = 0;
+    unsigned shift = 28;
     if (w < camera->near_q16) return false;
     if (LMB_WITH_PERSPECTIVE && camera->perspective) {
-        /* w * reciprocal = 2^(31 + shift): x / w = x * reciprocal / 2^31 in 1 / 2^shift; near / w <= 1 alike */
-        unsigned shift;
+        /* w * reciprocal = 2^(30 + shift), so x * reciprocal / 2^30 is x / w times 2^shift, and no larger than x, which is first
+         * raised to the top of its word; near / w is at most one */
         int32_t reciprocal = (int32_t)(lmb_reciprocal((uint32_t)w, &shift) >> 1);
-        int32_t over_x = lmb_mul_shr_sat(p.x, reciprocal, 30), over_y = lmb_mul_shr_sat(p.y, reciprocal, 30);
-        int32_t near_w_q16 = lmb_min(65536, lmb_mul_shr(camera->near_q16, reciprocal, 14 + shift));
-        x = to_screen(camera->x, over_x, camera->focal_q16, shift + 12);
-        y = to_screen(camera->y, lmb_sub(0, over_y), camera->focal_q16, shift + 12);
-        vertex->depth = saturate_depth(lmb_mul_shr_sat(65536 - near_w_q16, (int32_t)camera->depth_gain, 16));
-    } else {
-        x = to_screen(camera->x, p.x, camera->focal_q16, 28);
-        y = to_screen(camera->y, lmb_sub(0, p.y), camera->focal_q16, 28);
-        vertex->depth = saturate_depth(
-            lmb_mul_shr_sat(lmb_sub(w, camera->near_q16), (int32_t)camera->depth_gain, 14u + camera->depth_shift));
+        unsigned raise = lmb_clz32((uint32_t)(x < 0 ? ~x : x) | (uint32_t)(y < 0 ? ~y : y)) - 1;
+        if (raise > RAISE_MAX) raise = RAISE_MAX;
+        near_w_q16 = lmb_min(65536, lmb_mul_shr_sat(camera->near_q16, reciprocal, 14 + shift));
+        x = lmb_mul_shr_sat(lmb_mul(x, (int32_t)1 << raise), reciprocal, 30);
+        y = lmb_mul_shr_sat(lmb_mul(y, (int32_t)1 << raise), reciprocal, 30);
+        shift += raise + 12;
     }
-    if (x < -LMB_SCREEN_MAX || x > LMB_SCREEN_MAX || y < -LMB_SCREEN_MAX || y > LMB_SCREEN_MAX) return false;
+    x = to_screen(camera->x, x, camera->focal_q16, shift);
+    y = to_screen(camera->y, lmb_sub(0, y), camera->focal_q16, shift);
+    if (!on_screen(x) || !on_screen(y)) return false;
     vertex->x = x;
     vertex->y = y;
+    vertex->depth = depth_at(camera, w, near_w_q16);
     return true;
 }
