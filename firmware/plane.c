@@ -174,9 +174,9 @@ static void plane_curve(lmb_plane *plane, const lmb_lattice *l, const lmb_net *n
     int32_t q[3], value[6], base, at = l->at_shift;
     unsigned size, drop;
     int i;
-    q[0] = lmb_sub(0, net->bulge01);
-    q[1] = lmb_sub(0, net->bulge20);
-    q[2] = lmb_shr(lmb_sub(lmb_sub(net->bulge12, net->bulge01), net->bulge20), 1);
+    q[0] = lmb_sub(0, net->bulge[0]);
+    q[1] = lmb_sub(0, net->bulge[2]);
+    q[2] = lmb_shr(lmb_sub(lmb_sub(net->bulge[1], net->bulge[0]), net->bulge[2]), 1);
     for (i = 0; i < 3; i++) q[i] = lmb_mul_q16(q[i], l->square_q16);
     size = bits_of(magnitude(q[0]) | magnitude(q[1]) | magnitude(q[2]));
     if (size == 0) return;
@@ -212,11 +212,11 @@ static void plane_descend(lmb_plane *plane, int32_t rows)
 
 void lmb_plane_begin(lmb_plane *plane, const lmb_lattice *l, const lmb_net *net)
 {
-    int32_t rise1 = net->rise1, rise2 = net->rise2, nx, ny, shift;
+    int32_t rise1 = lmb_sub(net->value[1], net->value[0]), rise2 = lmb_sub(net->value[2], net->value[0]), nx, ny, shift;
     unsigned size, room = 30 - l->bits, drop = 0;
     if (l->curved) {
-        rise1 = lmb_add(rise1, lmb_shl(net->bulge01, 2));
-        rise2 = lmb_add(rise2, lmb_shl(net->bulge20, 2));
+        rise1 = lmb_add(rise1, lmb_shl(net->bulge[0], 2));
+        rise2 = lmb_add(rise2, lmb_shl(net->bulge[2], 2));
     }
     size = bits_of(magnitude(rise1) | magnitude(rise2));
     if (size > room) {
@@ -228,7 +228,7 @@ void lmb_plane_begin(lmb_plane *plane, const lmb_lattice *l, const lmb_net *net)
     ny = lmb_add(lmb_mul(rise1, l->b1), lmb_mul(rise2, l->b2));
     /* per pixel and in Q2.30: numerator * 16 * reciprocal_q16 * 2^-(16 + shift) * 2^(30 - 28 + drop) */
     shift = (int32_t)l->shift + 10 - (int32_t)drop;
-    plane->f = lmb_add_wrap(lmb_shl_wrap(net->value, 2),
+    plane->f = lmb_add_wrap(lmb_shl_wrap(net->value[0], 2),
                             over_area(lmb_add(offset_times(nx, l->offset_x, l->offset_drop),
                                               offset_times(ny, l->offset_y, l->offset_drop)),
                                       l, shift - (int32_t)l->offset_drop));

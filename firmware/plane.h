@@ -24,11 +24,10 @@ typedef struct lmb_lattice {
     int32_t form[6][3];
 } lmb_lattice;
 
-/* A function over the triangle in Q4.28: value at corner 0, rises to corners 1 and 2, and bulges: mid-edge value minus the mean of
- * the edge's ends, for edges 01, 12, 20. */
+/* A function over the triangle in Q4.28, as a Bezier net: its values at the corners, and its bulges on edges 01, 12, 20, mid-edge
+ * value minus the mean of the edge's ends. */
 typedef struct lmb_net {
-    int32_t value, rise1, rise2;
-    int32_t bulge01, bulge12, bulge20;
+    int32_t value[3], bulge[3];
 } lmb_net;
 
 /* Sets a lattice up for three corners, clockwise on the screen with y down, and planes that begin on a row; curved: for planes with

@@ -36,101 +36,81 @@ static int32_t times_q28(int32_t a, int32_t b_q28)
     return lmb_mul_q15(a, lmb_min(lmb_shr(b_q28, 13), 32767));
 }
 
-/* A net from its corner values and the bulge factors of edges 01, 12, 20; mean - pull is what bulges. */
-static void net_set(lmb_net *net, const int32_t value[3], const int32_t factor[3], int32_t pull)
-{
-    int32_t half[3], bulge[3];
-    int i;
-    for (i = 0; i < 3; i++) half[i] = lmb_shr(lmb_sub(value[i], pull), 1);
-    for (i = 0; i < 3; i++) bulge[i] = factor[i] ? times_q28(factor[i], lmb_add(half[i], half[i == 2 ? 0 : i + 1])) : 0;
-    net->value = value[0];
-    net->rise1 = lmb_sub(value[1], value[0]);
-    net->rise2 = lmb_sub(value[2], value[0]);
-    net->bulge01 = bulge[0];
-    net->bulge12 = bulge[1];
-    net->bulge20 = bulge[2];
-}
+/* The corner after i, going round. */
+static unsigned after(unsigned i) { return i == 2 ? 0 : i + 1; }
 
-/* The least and greatest control value of a net as a Bezier triangle: the function stays between them. */
-static void net_range(const lmb_net *net, int32_t *low, int32_t *high)
+/* The bulges of a net from the bulge factors of its edges; mean - pull is what bulges. */
+static void net_bulge(lmb_net *net, const int32_t factor[3], int32_t pull)
 {
-    int32_t v0 = net->value, v1 = lmb_add(v0, net->rise1), v2 = lmb_add(v0, net->rise2), i;
-    int32_t control[6];
-    control[0] = v0;
-    control[1] = v1;
-    control[2] = v2;
-    control[3] = lmb_add(lmb_shr(lmb_add(v0, v1), 1), lmb_shl(net->bulge01, 1));
-    control[4] = lmb_add(lmb_shr(lmb_add(v1, v2), 1), lmb_shl(net->bulge12, 1));
-    control[5] = lmb_add(lmb_shr(lmb_add(v2, v0), 1), lmb_shl(net->bulge20, 1));
-    *low = *high = control[0];
-    for (i = 1; i < 6; i++) {
-        *low = lmb_min(*low, control[i]);
-        *high = lmb_max(*high, control[i]);
+    unsigned i;
+    for (i = 0; i < 3; i++) {
+        int32_t mean = lmb_shr(lmb_add(net->value[i], net->value[after(i)]), 1);
+        net->bulge[i] = factor[i] ? times_q28(factor[i], lmb_sub(mean, pull)) : 0;
     }
 }
 
-/* slope * x / 2^exponent of the lobe, x in Q4.28. */
-static int32_t sloped(const lmb_lobe *lobe, int32_t x, unsigned exponent)
+/* The greatest control value of a net: the function stays below it. */
+static int32_t net_high(const lmb_net *net)
 {
-    int32_t product = lmb_mul_q16(x, lobe->slope);
-    int32_t up = lobe->slope_shift + 1 - (int32_t)exponent;
-    return up >= 0 ? lmb_shl(product, (unsigned)up) : lmb_shr(product, (unsigned)-up);
+    int32_t high = INT32_MIN;
+    unsigned i;
+    for (i = 0; i < 3; i++) {
+        int32_t mean = lmb_shr(lmb_add(net->value[i], net->value[after(i)]), 1);
+        high = lmb_max(high, lmb_max(net->value[i], lmb_add(mean, lmb_shl(net->bulge[i], 1))));
+    }
+    return high;
 }
 
-/* Turns a net of v into one of s / 2^exponent, with the exponent that keeps it inside (-2, 2); false if s <= 0 all over. */
+/* Turns a net of v into one of s / 2^exponent, s = alpha - slope v, with the exponent that keeps it inside (-2, 2); false if s is
+ * where the lobe is zero all over. */
 static bool net_argument(lmb_net *net, const lmb_lobe *lobe, uint8_t *exponent)
 {
-    int32_t low, high, least, scaled;
-    unsigned e;
-    net_range(net, &low, &high);
-    least = lmb_mul_q16(lmb_max(high, 0), lobe->slope); /* slope v = least * 2^(slope_shift + 1) must stay under 2 = 2^29 */
-    scaled = (int32_t)(32u - lmb_clz32((uint32_t)least)) + lobe->slope_shift + 1 - 29;
-    e = (unsigned)lmb_max(scaled, 0);
+    /* slope v = product * 2^(slope_shift + 1) must stay under 2, 2^29 */
+    int32_t up = lobe->slope_shift + 1, most = lmb_mul_q16(lmb_max(net_high(net), 0), lobe->slope), down, alpha;
+    unsigned e = (unsigned)lmb_max((int32_t)(32u - lmb_clz32((uint32_t)most)) + up - 29, 0), i;
     *exponent = (uint8_t)e;
-    net->value = lmb_sub(lmb_shr(lobe->alpha_q30, e + 2), sloped(lobe, net->value, e));
-    net->rise1 = lmb_sub(0, sloped(lobe, net->rise1, e));
-    net->rise2 = lmb_sub(0, sloped(lobe, net->rise2, e));
-    net->bulge01 = lmb_sub(0, sloped(lobe, net->bulge01, e));
-    net->bulge12 = lmb_sub(0, sloped(lobe, net->bulge12, e));
-    net->bulge20 = lmb_sub(0, sloped(lobe, net->bulge20, e));
-    net_range(net, &low, &high);
-    return high > 0;
+    down = (int32_t)e - up;
+    alpha = lmb_shr(lobe->alpha_q30, e + 2);
+    for (i = 0; i < 6; i++) {
+        int32_t *x = i < 3 ? &net->value[i] : &net->bulge[i - 3];
+        int32_t product = lmb_mul_q16(*x, lobe->slope);
+        product = down >= 0 ? lmb_shr(product, (unsigned)down) : lmb_shl(product, (unsigned)-down);
+        *x = lmb_sub(i < 3 ? alpha : 0, product);
+    }
+    return net_high(net) > lmb_shr(lmb_shl(lobe->floor_q15, 13), e);
 }
 
 static void dots_q28(int32_t out[3], const lmb_vertex *const corner[3], lmb_vec ray)
 {
-    int i;
+    unsigned i;
     for (i = 0; i < 3; i++) out[i] = lmb_dot_q28(corner[i]->normal, ray);
 }
 
 static void distances_q28(int32_t out[3], const lmb_vertex *const corner[3], lmb_vec ray)
 {
-    int i;
+    unsigned i;
     for (i = 0; i < 3; i++) out[i] = lmb_half_distance_q28(corner[i]->normal, ray);
 }
-
-static bool any_above_zero(const int32_t value[3]) { return value[0] > 0 || value[1] > 0 || value[2] > 0; }
 
 /* Diffuse and gloss by linear or quadratic planes. */
 static void shade_planes(lmb_triangle *t, const lmb_lattice *lattice, const lmb_vertex *const corner[3])
 {
-    int32_t factor[3] = {0, 0, 0}, value[3], low, high;
+    int32_t factor[3] = {0, 0, 0};
     lmb_net net;
     unsigned i;
     for (i = 0; i < 3 && lattice->curved; i++) {
-        factor[i] = bulge_factor_q28(lmb_half_distance_q28(corner[i]->normal, corner[i == 2 ? 0 : i + 1]->normal));
+        factor[i] = bulge_factor_q28(lmb_half_distance_q28(corner[i]->normal, corner[after(i)]->normal));
     }
     for (i = 0; i < t->look->lights; i++) {
-        dots_q28(value, corner, t->rays->light[i].direction);
-        net_set(&net, value, factor, 0);
-        net_range(&net, &low, &high);
-        if (high > 0) {
+        dots_q28(net.value, corner, t->rays->light[i].direction);
+        net_bulge(&net, factor, 0);
+        if (net_high(&net) > 0) {
             t->diffuse_on |= (uint8_t)(1u << i);
             lmb_plane_begin(&t->u.plane.diffuse[i], lattice, &net);
         }
         if (!(t->look->specular_on >> i & 1u)) continue;
-        distances_q28(value, corner, t->rays->light[i].half);
-        net_set(&net, value, factor, ONE_Q28);
+        distances_q28(net.value, corner, t->rays->light[i].half);
+        net_bulge(&net, factor, ONE_Q28);
         if (net_argument(&net, &t->look->lobe, &t->exponent[i])) {
             t->specular_on |= (uint8_t)(1u << i);
             lmb_plane_begin(&t->u.plane.specular[i], lattice, &net);
@@ -147,23 +127,19 @@ static int32_t lobe_q28(const lmb_lobe *lobe, int32_t v_q28)
 /* Gouraud: both terms lit at the corners, linear between. */
 static void shade_corners(lmb_triangle *t, const lmb_lattice *lattice, const lmb_vertex *const corner[3])
 {
-    static const int32_t straight[3] = {0, 0, 0};
-    int32_t value[3];
-    lmb_net net;
+    lmb_net net = {{0, 0, 0}, {0, 0, 0}};
     unsigned i, k;
     for (i = 0; i < t->look->lights; i++) {
-        dots_q28(value, corner, t->rays->light[i].direction);
-        for (k = 0; k < 3; k++) value[k] = lmb_max(value[k], 0);
-        if (any_above_zero(value)) {
-            net_set(&net, value, straight, 0);
+        dots_q28(net.value, corner, t->rays->light[i].direction);
+        for (k = 0; k < 3; k++) net.value[k] = lmb_max(net.value[k], 0);
+        if (net_high(&net) > 0) {
             t->diffuse_on |= (uint8_t)(1u << i);
             lmb_plane_begin(&t->u.plane.diffuse[i], lattice, &net);
         }
         if (!(t->look->specular_on >> i & 1u)) continue;
-        distances_q28(value, corner, t->rays->light[i].half);
-        for (k = 0; k < 3; k++) value[k] = lobe_q28(&t->look->lobe, value[k]);
-        if (any_above_zero(value)) {
-            net_set(&net, value, straight, 0);
+        distances_q28(net.value, corner, t->rays->light[i].half);
+        for (k = 0; k < 3; k++) net.value[k] = lobe_q28(&t->look->lobe, net.value[k]);
+        if (net_high(&net) > 0) {
             t->specular_on |= (uint8_t)(1u << i);
             lmb_plane_begin(&t->u.plane.specular[i], lattice, &net);
         }

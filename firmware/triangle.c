@@ -96,12 +96,9 @@ static void side_begin(lmb_triangle *t, bool left, const lmb_vertex *top, const 
 
 static void depth_begin(lmb_triangle *t, const lmb_lattice *lattice, const lmb_vertex *const corner[3])
 {
-    int32_t depth[3], i;
-    lmb_net net = {0, 0, 0, 0, 0, 0};
-    for (i = 0; i < 3; i++) depth[i] = lmb_shl(lmb_max(DEPTH_MARGIN, lmb_min(corner[i]->depth, 65535 - DEPTH_MARGIN)), 12);
-    net.value = depth[0];
-    net.rise1 = lmb_sub(depth[1], depth[0]);
-    net.rise2 = lmb_sub(depth[2], depth[0]);
+    lmb_net net = {{0, 0, 0}, {0, 0, 0}};
+    int i;
+    for (i = 0; i < 3; i++) net.value[i] = lmb_shl(lmb_max(DEPTH_MARGIN, lmb_min(corner[i]->depth, 65535 - DEPTH_MARGIN)), 12);
     lmb_plane_begin(&t->depth, lattice, &net);
 }
 

@@ -343,11 +343,10 @@ static void make_large(scene *s, unsigned i, char label[HARD_LABEL])
     s->object[0].material.shininess = i ? 40 : 200;
 }
 
-/* Triangles of many times the frame's size, most of them outside it, none so far out that it is cut. Up to 3000 pixels, that is:
- * second differences have 30 fraction bits, and half a unit of them counts n^2 / 2 times n pixels from a corner. */
+/* Triangles of many times the frame's size, most of them outside it, none so far out that it is cut. */
 static void make_outside(scene *s, unsigned i, char label[HARD_LABEL])
 {
-    static const double radius[3] = {700, 1500, 3000};
+    static const double radius[3] = {700, 3000, 11000};
     name_scene(label, "outside", i);
     hard_scene(s, label, 160, radius[i % 3], hard_mesh(i < 3 ? HARD_ICOSAHEDRON : HARD_ICOSPHERE_320), rotation(47 * i, 20, 3));
 }

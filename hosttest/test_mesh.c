@@ -2,7 +2,7 @@
 /* Meshes onto the screen: pose, projection, clipping, culling and order, against doubles and 64-bit integers.
  *
  * The reference for clipping does not clip: in homogeneous coordinates the sides of a triangle and the near plane are linear
- * functions of the pixel, whatever lies behind the viewer (Olano & Greer 1997), so a pixel is inside where all four are positive. */
+ * functions of the pixel, whatever lies behind the viewer (Olano and Greer 1997): a pixel is inside where all four are positive. */
 #include "test.h"
 
 #include <string.h>
@@ -26,7 +26,7 @@ static uint16_t angle(test_random *random) { return (uint16_t)test_next(random);
 
 static double log_real(test_random *random, double low, double high) { return exp(test_real(random, log(low), log(high))); }
 
-/* ---------------------------------------------------------------------------------------------------------------------------- pose */
+/* ----------------------------------------------------------------------------------------------------------------------- pose */
 
 static void test_place(test_random *random)
 {
@@ -34,7 +34,8 @@ static void test_place(test_random *random)
     int i, k;
     for (i = 0; i < 1000000; i++) {
         lmb_pose pose;
-        lmb_vec v = vec(test_integer(random, -32768, 32767), test_integer(random, -32768, 32767), test_integer(random, -32768, 32767));
+        lmb_vec v =
+            vec(test_integer(random, -32768, 32767), test_integer(random, -32768, 32767), test_integer(random, -32768, 32767));
         lmb_mesh mesh = {&v, NULL, NULL, 1, 0, (int8_t)test_integer(random, LMB_SCALE_MIN, LMB_SCALE_MAX)};
         int32_t half = 16384 * 65536, to[3];
         lmb_point p;
@@ -55,7 +56,7 @@ static void test_place(test_random *random)
     test_verdict(worst <= 0.5, "place: rounded to nearest", "worst %.6f / 65536 unit of %d points", worst, i);
 }
 
-/* ----------------------------------------------------------------------------------------------------------------------- projection */
+/* ----------------------------------------------------------------------------------------------------------------- projection */
 
 typedef struct view {
     lmb_camera camera;
@@ -145,7 +146,8 @@ static void test_projection(test_random *random, int perspective)
     }
     test_verdict(worst <= LMB_PROJECT_MAX_ERROR && refused == 0, "project: place on the screen",
                  "%s, worst %.4f pixels (w 0x%08" PRIx32 ", focal length %.0f px), bound %.4f, %d of %d refused",
-                 perspective ? "perspective" : "orthographic", worst, (uint32_t)at_w, at_focal, LMB_PROJECT_MAX_ERROR, refused, i);
+                 perspective ? "perspective" : "orthographic", worst, (uint32_t)at_w, at_focal, LMB_PROJECT_MAX_ERROR, refused,
+                 i);
     test_verdict(worst_depth <= 2, "project: depth", "%s, worst %.3f / 65536 (w 0x%08" PRIx32 ")",
                  perspective ? "perspective" : "orthographic", worst_depth, (uint32_t)at_w_depth);
 }
@@ -235,10 +237,11 @@ static void test_camera_arguments(void)
         int p = lmb_camera_perspective(&camera, cases[i].width, cases[i].height, cases[i].focal, cases[i].near, cases[i].far);
         if (o != cases[i].orthographic || p != cases[i].perspective) faults++, at = i;
     }
-    test_verdict(!faults, "camera: good arguments are taken, bad ones refused", "%d faults in %d cases, last at case %d", faults, n, at);
+    test_verdict(!faults, "camera: good arguments are taken, bad ones refused", "%d faults in %d cases, last at case %d", faults,
+                 n, at);
 }
 
-/* ------------------------------------------------------------------------------------------------------------------------- clipping */
+/* ------------------------------------------------------------------------------------------------------------------- clipping */
 
 #define FRAME_W 96
 #define FRAME_H 72
@@ -416,7 +419,7 @@ static void scene_print(const scene *s)
     printf("\n");
 }
 
-/* slivers: pixels within EDGE of the diagonal that a fan's sliver, turned over when its corners were rounded, has painted again or
+/* slivers: pixels within EDGE of the diagonal that a fan's sliver, turned over as its corners were rounded, has painted again or
  * from behind. That costs a repaint; a pixel missing would be a hole. */
 typedef struct clip_result {
     int gaps, twice, strays, drawn, slivers;
@@ -460,17 +463,17 @@ static void test_clipping(test_random *random, int perspective, int quads)
         region_set(&r, &s.v, p, quads ? 4 : 3);
         scene_draw(&s);
         scene_compare(&s, &r, &c);
-        if (c.gaps + c.twice + c.strays > before && faults++ < 3) {
-            scene_print(&s);
-        }
+        if (c.gaps + c.twice + c.strays > before && faults++ < 3) { scene_print(&s); }
     }
-    test_verdict(!c.gaps && !c.strays && !s.outside && !c.twice && c.slivers < 20, quads ? "clip: two triangles that share an edge" : "clip: a triangle",
+    test_verdict(!c.gaps && !c.strays && !s.outside && !c.twice && c.slivers < 20,
+                 quads ? "clip: two triangles that share an edge" : "clip: a triangle",
                  "%s, %d scenes, %d pixels: %d missing (deepest %.4f px inside), %d outside (farthest %.4f px), %d twice, %d by "
-                 "slivers, %d beyond the window", perspective ? "perspective" : "orthographic", i, c.drawn, c.gaps, c.deepest, c.strays, c.farthest,
-                 c.twice, c.slivers, s.outside);
+                 "slivers, %d beyond the window",
+                 perspective ? "perspective" : "orthographic", i, c.drawn, c.gaps, c.deepest, c.strays, c.farthest, c.twice,
+                 c.slivers, s.outside);
 }
 
-/* ---------------------------------------------------------------------------------------------------------------------------- order */
+/* ---------------------------------------------------------------------------------------------------------------------- order */
 
 #define SORT_MAX 65537
 
@@ -499,7 +502,8 @@ static void test_sort(test_random *random)
     lmb_pose pose = {{{{16384, 0, 0}, {0, 16384, 0}, {0, 0, 16384}}}, 0, 0, -300000};
     int64_t back = 0;
     for (i = 0; i < 1000; i++) {
-        positions[i] = vec(test_integer(random, -32768, 32767), test_integer(random, -32768, 32767), test_integer(random, -32768, 32767));
+        positions[i] =
+            vec(test_integer(random, -32768, 32767), test_integer(random, -32768, 32767), test_integer(random, -32768, 32767));
     }
     for (i = 0; i < 3 * SORT_MAX; i++) indices[i] = (uint16_t)test_integer(random, 0, 999);
     for (i = 0; i < 13 * 4; i++) {
@@ -518,12 +522,13 @@ static void test_sort(test_random *random)
         }
     }
     mesh.triangles = SORT_MAX;
-    test_verdict(lmb_mesh_sort(&mesh, &pose, order, keys) == LMB_ERROR_VALUE, "sort: 65537 triangles are refused", "as they must be");
+    test_verdict(lmb_mesh_sort(&mesh, &pose, order, keys) == LMB_ERROR_VALUE, "sort: 65537 triangles are refused",
+                 "as they must be");
     test_verdict(!faults && !upset, "sort: a permutation in order of its keys", "%d faults, %d pairs upset, 0 to 65536 triangles",
                  faults, upset);
     /* a key is in units of 2^17, and three roundings by less than 4 go before */
-    test_verdict(back <= (1 << 17) + 12, "sort: farthest first", "a triangle comes before one at most %.2f mesh units farther, bound 2.67",
-                 (double)back / 3 / 16384);
+    test_verdict(back <= (1 << 17) + 12, "sort: farthest first",
+                 "a triangle comes before one at most %.2f mesh units farther, bound 2.67", (double)back / 3 / 16384);
 }
 
 int main(int argc, char **argv)
