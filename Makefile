@@ -23,7 +23,7 @@ TABLES := $(filter-out icosphere torus teapot,$(TABLES))
 GATED := host m0plus
 
 .DEFAULT_GOAL := help
-.PHONY: help demo check deps report figures pictures size exhaustive tables check-tables tools tests clean
+.PHONY: help demo check deps report figures pictures size exhaustive tables check-tables tools models tests clean
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -87,6 +87,9 @@ check-tables: $(TABLES:%=$(B)/gen/gen_%)
 ## tools: build/bin/lmb-mesh and build/bin/lmb-render
 tools: $(B)/bin/lmb-mesh $(B)/bin/lmb-render
 
+## models: build/models/*.obj, the demo's models to try lmb-render and lmb-mesh with
+models: $(B)/models/teapot.obj $(B)/models/torus.obj $(B)/models/icosphere.obj
+
 ## tests: build the test programs without running them
 tests: $(TESTS:%=$(B)/bin/%)
 
@@ -139,6 +142,16 @@ $(B)/meshes/torus.c: $(B)/gen/gen_torus
 $(B)/meshes/teapot.c: $(B)/gen/gen_teapot
 	@mkdir -p $(@D)
 	$(Q)$< 6 mesh_teapot $@
+
+$(B)/models/teapot.obj: $(B)/gen/gen_teapot
+	@mkdir -p $(@D)
+	$(Q)$< 6 teapot $@
+$(B)/models/torus.obj: $(B)/gen/gen_torus
+	@mkdir -p $(@D)
+	$(Q)$< 48 24 torus $@
+$(B)/models/icosphere.obj: $(B)/gen/gen_icosphere
+	@mkdir -p $(@D)
+	$(Q)$< 3 icosphere $@
 
 $(B)/meshes/%.o: $(B)/meshes/%.c
 	$(Q)$(COMPILE) -c $< -o $@

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The filler and whole frames: bytes of a pixel, clearing, depth, strips of any height, saturation, closed meshes, looks.
  *
- * Frames are drawn into memory that is larger than the surface and filled with a pattern: what is not the surface's must keep it. */
+ * Frames are drawn into memory that is larger than the surface and holds a pattern: what is not the surface's must keep it. */
 #include "test.h"
 
 #include <string.h>

@@ -413,7 +413,8 @@ static void test_judge_sees(void)
     missed += meets_bars(&score, &frame, &drawn, false, false);
     ref_drawn_end(&drawn);
     ref_frame_end(&frame);
-    test_verdict(!missed && !false_alarms, "image_judge_sees", "seven faults, %u missed; %u false alarms", missed, false_alarms);
+    test_verdict(!missed && !false_alarms, "image_judge_sees", "%u faults, %u missed; %u false alarms",
+                 (unsigned)(sizeof fault / sizeof fault[0]) + 2, missed, false_alarms);
 }
 
 /* Pictures survive the file, and OpenImageIO finds in them what was put there. */

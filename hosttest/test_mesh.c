@@ -2,7 +2,7 @@
 /* Meshes onto the screen: pose, projection, clipping, culling and order, against doubles and 64-bit integers.
  *
  * The reference for clipping does not clip: in homogeneous coordinates the sides of a triangle and the near plane are linear
- * functions of the pixel, whatever lies behind the viewer (Olano and Greer 1997): a pixel is inside where all four are positive. */
+ * functions of the pixel, whatever lies behind the viewer (Olano and Greer 1997): inside, all four are positive. */
 #include "test.h"
 
 #include <string.h>

@@ -711,6 +711,7 @@ static void errors_of_light(term_errors *e, const shape *s, const lmb_look *look
     const quadratic f = model_terms(s->v, rays->light[k].direction, 0, curved),
                     v = model_terms(s->v, rays->light[k].half, 1, curved);
     const double slope = ldexp(look->lobe.slope, look->lobe.slope_shift - 15), alpha = ldexp(look->lobe.alpha_q30, -30);
+    const double zero = look->lobe.floor_q15 / 32768.0; /* where the lobe ends */
     double size = extent(s->v), l[3], want, got;
     int x, y;
     for (y = s->window.top; y < s->window.bottom; y++, p += SIDE - width_of(&s->window)) {
@@ -726,9 +727,9 @@ static void errors_of_light(term_errors *e, const shape *s, const lmb_look *look
             errors_take(e, &f, 1, fabs(got - want), size);
             want = alpha - slope * quadratic_at(&v, l);
             if (!(look->specular_on >> k & 1)) continue;
-            got = p->specular_on >> k & 1 ? ldexp(p->specular[k], p->exponent[k] - 30) : fmin(0, want);
-            e->dark = larger(e->dark, p->specular_on >> k & 1 ? 0 : want);
-            if (want <= 0 && got <= 0) continue;
+            got = p->specular_on >> k & 1 ? ldexp(p->specular[k], p->exponent[k] - 30) : fmin(zero, want);
+            e->dark = larger(e->dark, p->specular_on >> k & 1 ? 0 : want - zero);
+            if (want <= zero && got <= zero) continue;
             e->specular = larger(e->specular, fabs(got - want));
             errors_take(e, &v, larger(slope, 1), fabs(got - want), size);
         }

@@ -44,7 +44,7 @@ uint16_t mesh_vertex(mesh_out *mesh, lmb_vec position, lmb_vec normal);
  * One without area, or that turns its back to the normal of a corner, ends the program. */
 void mesh_triangle(mesh_out *mesh, uint16_t a, uint16_t b, uint16_t c);
 
-/* Writes the mesh as a C file and releases it.
+/* Writes the mesh as a C file, or as a Wavefront OBJ file if path ends in .obj, and releases it.
  *   arguments  argv[0] is dropped, the others go into the first line; the last of them is the mesh's name
  *   path       NULL: stdout
  *   scale      a mesh unit is 2^scale units of space
