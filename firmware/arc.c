@@ -152,35 +152,46 @@ static int32_t measure(struct bow *bow, int32_t u_q28, uint32_t length, unsigned
     return product_q30(angle_over_sine(turn_q28), (int32_t)(inverse >> 1));
 }
 
-/* One reciprocal serves both angles: ratio = G / length * 2^(shift - 1) is that of phi scaled, 16 G / length * 2^guard, from two
- * pixels on, where guard = shift - 5; theta has start in the place of 16.
+/* start G / length from G / length * 2^(shift - 1). On arcs under a pixel start, which is not longer, is first raised to where it
+ * still fits 16 bits. */
+static int32_t first_ratio(int32_t ratio_q29, unsigned shift, uint32_t start)
+{
+    if (shift < 16) return lmb_shl(lmb_mul_q16(ratio_q29, start << (15 - shift)), 2);
+    ratio_q29 = lmb_mul_q16(ratio_q29, start);
+    return shift == 16 ? lmb_shl(ratio_q29, 1) : lmb_shr(ratio_q29, shift - 17);
+}
+
+/* One reciprocal serves both angles: ratio = G / length * 2^(shift - 1) is that of phi scaled, 2^16 G / length * 2^guard, from
+ * two pixels on, where guard = shift - 17; theta has start in the place of 2^16, which is LMB_ARC_PIXEL.
  * Arcs that hold one pixel keep d = 0 and kappa = 0. Those under two pixels that hold two need no kappa to reach the second;
  * their true one can be 3 and is too large for the step: with 1 in its place the third, which nobody sees, is f(1) - f(0) and in
- * range. Without a turn (u = 0) terms run linearly; under four pixels their slope is held under 7/16 of the rise, which
- * keeps a term whose ends are opposite in range until one pixel after its end. */
+ * range. Without a turn (u = 0) terms run linearly. A term whose ends are opposite rises by two: in one pixel, or until one pixel
+ * after the end of two pixels, that would be just out of range. So slopes stay a 2^17th part below the whole rise, which leaves
+ * room for the rounding of f >> 13, and from two pixels on below half of it; the later ones are far from the limit. */
+LMB_STATIC_ASSERT(LMB_ARC_PIXEL == 1UL << 16);
 void lmb_arc_prepare(lmb_arc *arc, int32_t u_q28, uint32_t length, uint32_t start)
 {
     unsigned shift;
     struct bow bow;
     struct turn theta = {0, 0}, phi;
-    int32_t ratio_q29 = measure(&bow, u_q28, length, &shift), first_q29, half_kappa_q30;
+    int32_t ratio_q29 = measure(&bow, u_q28, length, &shift), half_kappa_q30;
     start = start < length ? start : length;
-    first_q29 = lmb_mul(lmb_shr(ratio_q29, 4), (int32_t)start);
-    first_q29 = shift < 5 ? lmb_shl(first_q29, 5 - shift) : lmb_shr(first_q29, shift - 5);
-    if (start) theta = turn_by(&bow, first_q29, 0);
+    if (start) theta = turn_by(&bow, first_ratio(ratio_q29, shift, start), 0);
     arc->kappa = arc->kappa_shift = arc->guard = 0;
     arc->d_from_a_q30 = arc->d_from_rise_q30 = 0;
     place_first(arc, &bow, &theta);
-    if (start + 16 > length) return;
-    if (shift >= 5) {
-        half_kappa_q30 = prepare_turn(arc, &bow, &phi, ratio_q29, shift - 5);
+    if (start + LMB_ARC_PIXEL > length) return;
+    if (shift >= 17) {
+        half_kappa_q30 = prepare_turn(arc, &bow, &phi, ratio_q29, shift - 17);
     } else {
         phi = turn_by(&bow, lmb_shl(ratio_q29, 1), 0);
         half_kappa_q30 = lmb_shl(phi.kappa_q28, 1);
         arc->kappa = 8192;
     }
     place_second(arc, &bow, &theta, &phi, half_kappa_q30);
-    if (bow.u_q30 == 0 && shift < 6) arc->d_from_rise_q30 = lmb_min(arc->d_from_rise_q30, 0x1c000000);
+    if (bow.u_q30 == 0 && shift <= 17) {
+        arc->d_from_rise_q30 = lmb_min(arc->d_from_rise_q30, shift < 17 ? 0x3fffe000 : 0x1ffff000);
+    }
 }
 
 /* Half of x a + y b in Q2.30: products can pass two where f and d do not. */
@@ -203,11 +214,11 @@ lmb_turn lmb_arc_turn(int32_t u_q28, uint32_t length)
 {
     unsigned shift, guard;
     struct bow bow;
-    int32_t ratio_q29 = measure(&bow, u_q28, length > 16 ? length : 16, &shift);
+    int32_t ratio_q29 = measure(&bow, u_q28, length > LMB_ARC_PIXEL ? length : LMB_ARC_PIXEL, &shift);
     struct turn phi;
     lmb_turn turn;
-    guard = shift > 5 ? shift - 5 : 0;
-    phi = turn_by(&bow, shift < 5 ? lmb_shl(ratio_q29, 1) : ratio_q29, guard);
+    guard = shift > 17 ? shift - 17 : 0;
+    phi = turn_by(&bow, shift < 17 ? lmb_shl(ratio_q29, 1) : ratio_q29, guard);
     turn.kappa_q30 = guard ? (uint32_t)phi.kappa_q28 >> (2 * guard - 2) : (uint32_t)phi.kappa_q28 << 2;
     turn.sine_q30 = (uint32_t)phi.sine_q30 >> guard;
     return turn;

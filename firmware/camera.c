@@ -53,7 +53,7 @@ LMB_STATIC_ASSERT((1 << 23) - 32767 * 8L > LMB_SCREEN_MAX);
 
 static bool on_screen(int32_t q4) { return q4 >= -LMB_SCREEN_MAX && q4 <= LMB_SCREEN_MAX; }
 
-#define RAISE_MAX 24 /* keeps shifts below 64 */
+#define RAISE_MAX 22 /* log2(w) + 12 more stay below 64 */
 
 /* Depth of a distance in [near, far): what is farther than that has the greatest. */
 static uint16_t depth_at(const lmb_camera *camera, int32_t w, int32_t near_w_q16)

@@ -6,15 +6,13 @@
  */
 #include "clip.h"
 
-/* The guard band reaches this many pixels from the axis; with the axis inside a frame of at most 16384 pixels nothing leaves
- * LMB_SCREEN_MAX. */
-#define GUARD 16000
+LMB_STATIC_ASSERT((LMB_GUARD + 16384) * 16L < LMB_SCREEN_MAX && LMB_GUARD_NEAR < LMB_GUARD);
 
 enum plane { PLANE_NEAR, PLANE_RIGHT, PLANE_LEFT, PLANE_TOP, PLANE_BOTTOM, PLANES };
 
 typedef struct clipper {
     const lmb_camera *camera;
-    int32_t reach_q16; /* GUARD / focal */
+    int32_t reach_q16; /* LMB_GUARD / focal */
     enum plane plane;
 } clipper;
 
@@ -30,11 +28,12 @@ static int32_t inside(const clipper *c, const lmb_point *p)
     return lmb_max(-half, lmb_min(half, d));
 }
 
-/* from + (to - from) t; differences are halved to fit. */
+/* from + (to - from) t, rounded; differences are halved to fit. */
 static int32_t between(int32_t from, int32_t to, int32_t t_q30)
 {
-    int32_t half = lmb_mul_shr(lmb_sub(lmb_shr(to, 1), lmb_shr(from, 1)), t_q30, 30);
-    return lmb_add(lmb_add(from, half), half);
+    int32_t half = lmb_sub(lmb_shr(to, 1), lmb_shr(from, 1)), low = lmb_sub(to & 1, from & 1);
+    int32_t quarter = lmb_mul_shr(half, t_q30, 30), rest = lmb_mul_shr(half, t_q30, 29) & 1;
+    return lmb_add(lmb_add(from, quarter), lmb_add(quarter, lmb_add(rest, lmb_shr(lmb_mul(low, lmb_shr(t_q30, 1)), 29))));
 }
 
 static lmb_corner cut(const lmb_corner *in, const lmb_corner *out, int32_t d_in, int32_t d_out)
@@ -81,9 +80,9 @@ unsigned lmb_clip(const lmb_camera *camera, const lmb_corner triangle[3], lmb_ve
     clipper c;
     unsigned corners = 3, i, kept = 0, shift, plane;
     uint32_t reciprocal = lmb_reciprocal((uint32_t)camera->focal_q16, &shift);
-    /* GUARD / focal in Q16.16: GUARD * 2^32 * reciprocal / 2^(31 + shift) */
+    /* LMB_GUARD / focal in Q16.16: LMB_GUARD * 2^32 * reciprocal / 2^(31 + shift) */
     c.camera = camera;
-    c.reach_q16 = lmb_mul_shr_sat(GUARD, (int32_t)(reciprocal >> 1), shift < 2 ? 0 : shift - 2);
+    c.reach_q16 = lmb_mul_shr_sat(LMB_GUARD, (int32_t)(reciprocal >> 1), shift < 2 ? 0 : shift - 2);
     for (i = 0; i < 3; i++) polygon[i] = triangle[i];
     for (plane = PLANE_NEAR; plane < PLANES && corners > 0; plane++) {
         c.plane = (enum plane)plane;

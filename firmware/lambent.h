@@ -80,7 +80,10 @@ LMB_STATIC_ASSERT(LMB_LIGHTS >= 1 && LMB_LIGHTS <= 4);
 #ifndef LMB_WITH_DEPTH
 #define LMB_WITH_DEPTH 1 /* depth of spans */
 #endif
-LMB_STATIC_ASSERT((LMB_WITH_ARC | LMB_WITH_CORNERS | LMB_WITH_PERSPECTIVE | LMB_WITH_DEPTH | 1) == 1);
+#ifndef LMB_WITH_LARGE
+#define LMB_WITH_LARGE 1 /* full accuracy for triangles over 512 pixels; without, they lie on a grid of 2^-13 of their extent */
+#endif
+LMB_STATIC_ASSERT((LMB_WITH_LARGE | LMB_WITH_ARC | LMB_WITH_CORNERS | LMB_WITH_PERSPECTIVE | LMB_WITH_DEPTH | 1) == 1);
 
 enum lmb_error {
     LMB_OK = 0,
@@ -273,13 +276,15 @@ typedef struct lmb_arc {
 /* Set-up of an arc from the angle psi between its end normals and its length: neither arccos, sine, root nor division.
  *   u_q28   1 - cos(psi), UQ4.28 in [0, 2]. Up to LMB_ARC_U_MAX (psi = 120 degrees) the normal turns evenly; beyond, where the
  *           turn loses its direction, terms run linearly instead
- *   length  of the arc in 1/16 pixel, 1 to LMB_ARC_LENGTH_MAX
- *   start   distance of the first pixel centre from the start of the arc in 1/16 pixel, 0 to 16; past the end of an arc that
- *           is shorter than that: its end
+ *   length  of the arc, LMB_ARC_PIXEL to a pixel, 1 to LMB_ARC_LENGTH_MAX. So fine because normals can turn through a right angle
+ *           in a tenth of a pixel, at outlines: with 256 to a pixel some of their pixels are off by five levels of 255
+ *   start   distance of the first pixel centre from the start of the arc in the same unit, below LMB_ARC_PIXEL; past the end of
+ *           a shorter arc: its end
  * Largest error of a term of amplitude one from first to last pixel, hosttest/test_arc.c: LMB_ARC_MAX_ERROR up to 90 degrees
  * and 1024 pixels, LMB_ARC_WIDE_MAX_ERROR up to 120 degrees and 4096 pixels. */
 #define LMB_ARC_U_MAX 0x18000000
-#define LMB_ARC_LENGTH_MAX 0x100000
+#define LMB_ARC_PIXEL 65536u
+#define LMB_ARC_LENGTH_MAX 0xffffffffu /* 65536 pixels less a unit */
 #define LMB_ARC_MAX_ERROR (1.0 / (1 << 14))
 #define LMB_ARC_WIDE_MAX_ERROR (1.0 / (1 << 13))
 void lmb_arc_prepare(lmb_arc *arc, int32_t u_q28, uint32_t length, uint32_t start);
@@ -356,10 +361,14 @@ typedef struct lmb_edge {
     uint32_t gap, part, modulus;
 } lmb_edge;
 
-/* A normal that turns evenly along an edge, row by row. */
+/* A normal that turns evenly along an edge, row by row; along one beyond LMB_ARC_U_MAX its components run linearly and it is
+ * normalised on every row. */
 typedef struct lmb_edge_arc {
     lmb_arc arc;
     lmb_term component[3];
+    int32_t inverse; /* of the edge's modulus: half of what lmb_reciprocal gives, and its shift */
+    uint8_t inverse_shift;
+    bool straight; /* beyond LMB_ARC_U_MAX, or close to it */
 } lmb_edge_arc;
 
 /* A quadratic over the triangle at the reference column of the current row, in wrapping Q2.30: value, its first differences
@@ -386,7 +395,6 @@ typedef struct lmb_triangle {
         } plane;
         struct {
             lmb_edge_arc left, right;
-            uint16_t left_length, right_length;
         } arc;
     } u;
 } lmb_triangle;
@@ -432,7 +440,7 @@ typedef struct lmb_camera {
     int32_t focal_q16; /* orthographic: pixels per unit; perspective: pixels per unit at distance one */
     int32_t near_q16, far_q16;
     int32_t x, y;        /* where the axis meets the screen, Q28.4 */
-    uint32_t depth_gain; /* UQ2.30: 2^shift / (far - near), or far / (far - near) */
+    uint32_t depth_gain; /* orthographic: 2^(30 + depth_shift) / (far - near); perspective: far / (far - near), UQ16.16 */
     uint8_t depth_shift;
     bool perspective;
 } lmb_camera;
@@ -490,6 +498,7 @@ bool lmb_mesh_next(lmb_walk *walk, lmb_triangle *triangle);
 void lmb_mesh_project(const lmb_mesh *mesh, const lmb_pose *pose, const lmb_camera *camera, lmb_vertex *vertices);
 
 /* Painter's order, farthest triangle first, for meshes of at most 65536 triangles drawn without a depth buffer.
+ * Depths are told apart from 3 mesh units on.
  *   order, keys  room for mesh->triangles each; keys is scratch
  *   return       0, or LMB_ERROR_VALUE for too many triangles */
 int lmb_mesh_sort(const lmb_mesh *mesh, const lmb_pose *pose, uint16_t *order, int16_t *keys);

@@ -2,10 +2,19 @@
 /* Look: material and lights folded together, half vectors, rays in the space of the normals. */
 #include "lambent.h"
 
-/* Directions within 5 % of unit length: 0.95^2 and 1.05^2 in Q4.28. */
+/* Directions within 5 % of unit length: 0.95^2 and 1.05^2 in Q4.28; no component can be longer. */
 #define LENGTH2_MIN 242262999
 #define LENGTH2_MAX 295950609
-LMB_STATIC_ASSERT(LENGTH2_MIN < 0x10000000 && LENGTH2_MAX > 0x10000000);
+#define COMPONENT_MAX 17203
+LMB_STATIC_ASSERT((int32_t)COMPONENT_MAX * COMPONENT_MAX >= LENGTH2_MAX - 2L * COMPONENT_MAX && LENGTH2_MIN < 0x10000000);
+
+static bool is_unit(lmb_vec d)
+{
+    int32_t length2;
+    if (lmb_max(lmb_max(d.x, d.y), d.z) > COMPONENT_MAX || lmb_min(lmb_min(d.x, d.y), d.z) < -COMPONENT_MAX) return false;
+    length2 = lmb_dot_q28(d, d);
+    return length2 >= LENGTH2_MIN && length2 <= LENGTH2_MAX;
+}
 
 /* The product of two UQ0.8 colours as UQ1.15: a b 32768 / 255^2, rounded to nearest. 0x81020409 is 2^47 / 255^2, rounded up. */
 static uint16_t product_q15(uint32_t a, uint32_t b)
@@ -23,9 +32,8 @@ static void fold(uint16_t out[3], lmb_rgb material, lmb_rgb light)
 static int light_prepare(lmb_look *look, unsigned i, const lmb_material *material, const lmb_light *light)
 {
     lmb_vec d = light->direction;
-    int32_t length2 = lmb_dot_q28(d, d);
     struct lmb_look_light *to = &look->light[i];
-    if (length2 < LENGTH2_MIN || length2 > LENGTH2_MAX) return LMB_ERROR_VALUE;
+    if (!is_unit(d)) return LMB_ERROR_VALUE;
     d = lmb_normalise(d.x, d.y, d.z);
     to->direction = d;
     to->half = lmb_normalise(d.x, d.y, lmb_add(d.z, 16384)); /* the viewer is along +z */

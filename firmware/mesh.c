@@ -17,10 +17,15 @@ lmb_point lmb_mesh_place(const lmb_mesh *mesh, const lmb_pose *pose, uint32_t i)
     return p;
 }
 
+static bool beyond_guard(int32_t q4) { return q4 > LMB_GUARD_NEAR * 16L || q4 < -LMB_GUARD_NEAR * 16L; }
+
 static void project(const lmb_mesh *mesh, const lmb_pose *pose, const lmb_camera *camera, uint32_t i, lmb_vertex *vertex)
 {
     vertex->normal = mesh->normals[i];
-    if (!lmb_project(camera, lmb_mesh_place(mesh, pose, i), vertex)) vertex->x = NOT_ON_SCREEN;
+    if (!lmb_project(camera, lmb_mesh_place(mesh, pose, i), vertex) ||
+        (LMB_WITH_PERSPECTIVE && (beyond_guard(lmb_sub(vertex->x, camera->x)) || beyond_guard(lmb_sub(vertex->y, camera->y))))) {
+        vertex->x = NOT_ON_SCREEN;
+    }
 }
 
 void lmb_mesh_project(const lmb_mesh *mesh, const lmb_pose *pose, const lmb_camera *camera, lmb_vertex *vertices)

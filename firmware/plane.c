@@ -15,19 +15,19 @@
  * Numerators a px + b py are exact integers, in the linear part and in the quadratic one; only what multiplies the whole is rounded:
  * the rises and bulges (14 bits and more) and one reciprocal of the area, or of its square, which all six numbers of a plane share. An
  * error of such a factor scales the function and does not tear it, so errors do not grow with the triangle's length over its height:
- * they stay under 2^-16 of the rise and 2^-14 of the bulge. (Rounded gradients of lambda were tried first: 4 b 2^-14 times that ratio,
+ * they stay under 2^-15 of the rise and 2^-13 of four bulges, plus 2^-30 n^2 over n pixels. (Rounded gradients of lambda were tried first: 4 b 2^-14 times that ratio,
  * 99 levels in the worst sliver.)
  *
- * The anchor is the pixel of corner 0; where that lies outside [0, ANCHOR_MAX] it is moved there, so that the rounding of the second
- * differences, 2^-31, is not carried over ten thousand pixels. It depends on the triangle alone, never on the window.
+ * Triangles that reach over more than 512 pixels take 64-bit products for the same, and their anchor, the pixel where planes are
+ * set up, is moved from corner 0 into [0, ANCHOR_MAX], so that the rounding of second differences, 2^-31, is not carried over ten
+ * thousand pixels. That depends on the triangle alone, never on the window.
  */
 #include "plane.h"
 
-/* Extents are shifted down to this many bits, 1024 and 512 pixels: larger triangles lie on a grid coarser than 1/16 pixel. */
-#define LINEAR_BITS 14
-#define CURVED_BITS 13
+#define NEAR_BITS 13     /* 512 pixels in 1/16 pixel */
+#define ANCHOR_MAX 1023  /* pixels */
 #define CURVATURE_BITS 14
-#define ANCHOR_MAX 1023 /* pixels */
+#define HEIGHT_BITS 12   /* triangles some 4096 times longer than high have no curve: there its rounding would exceed it */
 
 static unsigned bits_of(uint32_t x) { return 32u - lmb_clz32(x); }
 static uint32_t magnitude(int32_t x) { return x < 0 ? 0u - (uint32_t)x : (uint32_t)x; }
@@ -52,101 +52,127 @@ static int32_t over_area(int32_t numerator, const lmb_lattice *lattice, int32_t 
     return join(lmb_add_wrap(high, (int32_t)(low >> 16)), (int32_t)(low & 0xffffu), shift);
 }
 
-static void form_set(int32_t form[3], const int32_t u[2], const int32_t v[2])
-{
-    form[0] = lmb_mul(u[0], v[0]);
-    form[1] = lmb_mul(u[1], v[1]);
-    form[2] = lmb_add(lmb_mul(u[0], v[1]), lmb_mul(u[1], v[0]));
-}
+static unsigned pair_bits(const int32_t v[2]) { return bits_of(magnitude(v[0]) | magnitude(v[1])); }
 
-/* The edges of a triangle from corner 0, on a grid of 2^down / 16 pixel. */
-typedef struct edges {
-    int32_t x1, y1, x2, y2;
-} edges;
-
-static edges edges_down(edges e, unsigned down)
+/* Form i: products of two pairs of numerators, shifted down where they are long, so that each stays under 2^30. */
+static void form_set(lmb_lattice *l, unsigned i, const int32_t u[2], const int32_t v[2])
 {
-    if (down > 0) {
-        e.x1 = lmb_shr(e.x1, down);
-        e.y1 = lmb_shr(e.y1, down);
-        e.x2 = lmb_shr(e.x2, down);
-        e.y2 = lmb_shr(e.y2, down);
+    int32_t *form = l->form[i];
+    unsigned size = LMB_WITH_LARGE && l->large ? pair_bits(u) + pair_bits(v) : 0, down = size > 30 ? size - 30 : 0;
+    l->form_shift[i] = down;
+    if (LMB_WITH_LARGE && down > 0) {
+        form[0] = lmb_mul_shr(u[0], v[0], down);
+        form[1] = lmb_mul_shr(u[1], v[1], down);
+        form[2] = lmb_add(lmb_mul_shr(u[0], v[1], down), lmb_mul_shr(u[1], v[0], down));
+    } else {
+        form[0] = lmb_mul(u[0], v[0]);
+        form[1] = lmb_mul(u[1], v[1]);
+        form[2] = lmb_add(lmb_mul(u[0], v[1]), lmb_mul(u[1], v[0]));
     }
-    return e;
 }
 
-static unsigned edges_bits(const edges *e)
+/* The numerators half a pixel on in a direction: half of what lambda's square has for its first difference. */
+static void half_on(int32_t on[2], const int32_t at[2], const int32_t step[2], unsigned down)
 {
-    return bits_of(magnitude(e->x1) | magnitude(e->y1) | magnitude(e->x2) | magnitude(e->y2));
+    on[0] = lmb_add(at[0], lmb_shr(lmb_shl(step[0], 3), down));
+    on[1] = lmb_add(at[1], lmb_shr(lmb_shl(step[1], 3), down));
 }
 
-/* 1 / area as 16 bits and a shift; area < 2^(2 * 14 + 1). */
-static uint32_t area_reciprocal(const edges *e, unsigned *shift)
+/* Numerators at the anchor, shifted down to 15 bits: the whole of lambda moves by that, at most 8 / area, in value and in differences
+ * alike. Large: to 30 bits. Returns the shift. */
+static unsigned numerators_at(const lmb_lattice *l, int32_t at[2])
 {
-    uint32_t area = (uint32_t)lmb_max(1, lmb_sub(lmb_mul(e->x1, e->y2), lmb_mul(e->x2, e->y1)));
-    return (uint32_t)lmb_min((int32_t)((lmb_reciprocal(area, shift) + 0x4000u) >> 15), 65535);
+    unsigned size, down;
+    if (LMB_WITH_LARGE && l->large) {
+        int64_t a = lmb_dot_wide(l->x[0], l->offset_x, l->y[0], l->offset_y);
+        int64_t b = lmb_dot_wide(l->x[1], l->offset_x, l->y[1], l->offset_y);
+        size = lmb_bits_wide(a, b);
+        down = size > 30 ? size - 30 : 0;
+        at[0] = (int32_t)(a >> down);
+        at[1] = (int32_t)(b >> down);
+        return down;
+    }
+    at[0] = lmb_add(lmb_mul(l->x[0], l->offset_x), lmb_mul(l->y[0], l->offset_y));
+    at[1] = lmb_add(lmb_mul(l->x[1], l->offset_x), lmb_mul(l->y[1], l->offset_y));
+    size = pair_bits(at);
+    down = size > 15 ? size - 15 : 0;
+    at[0] = lmb_shr(at[0], down);
+    at[1] = lmb_shr(at[1], down);
+    return down;
 }
 
-/* The products that quadratics need, from whole numerators. |a|, |b| < 2^13; numerators at the anchor are shifted down to 15 bits, the
- * same in value and first differences; eight of a or b more, half a pixel on, is less than 2^15 + 2^16, and times 2^13, twice, under 2^31. */
-static void lattice_curve(lmb_lattice *l, edges e)
+/* The products that quadratics need. Eight steps, half a pixel, are less than 2^16, so with at < 2^15 and steps < 2^13 sums of two
+ * products stay under 2^31; of a large triangle products are shifted. */
+static void lattice_curve(lmb_lattice *l)
 {
-    unsigned size = edges_bits(&e), down = size > CURVED_BITS ? size - CURVED_BITS : 0, drop, shift, i;
-    int32_t x[2], y[2], at[2], on[2], offset_x = l->offset_x, offset_y = l->offset_y;
-    uint32_t reciprocal_q16;
-    e = edges_down(e, down);
-    reciprocal_q16 = area_reciprocal(&e, &shift);
-    l->square_q16 = lmb_mulu(reciprocal_q16, reciprocal_q16) >> 16;
-    l->square_shift = 2 * (int32_t)(shift + down);
-    size = edges_bits(&e) + bits_of(magnitude(offset_x) | magnitude(offset_y)) + 1;
-    drop = size > 31 ? size - 31 : 0; /* only after the anchor was moved */
-    offset_x = lmb_shr(offset_x, drop);
-    offset_y = lmb_shr(offset_y, drop);
-    x[0] = e.y2;
-    y[0] = lmb_sub(0, e.x2);
-    x[1] = lmb_sub(0, e.y1);
-    y[1] = e.x1;
-    for (i = 0; i < 2; i++) at[i] = lmb_add(lmb_mul(x[i], offset_x), lmb_mul(y[i], offset_y));
-    size = bits_of(magnitude(at[0]) | magnitude(at[1]));
-    shift = size > 15 ? size - 15 : 0;
-    at[0] = lmb_shr(at[0], shift);
-    at[1] = lmb_shr(at[1], shift);
-    shift += drop;
-    l->at_shift = (int32_t)shift;
-    form_set(l->form[0], at, at);
-    for (i = 0; i < 2; i++) on[i] = lmb_add(at[i], lmb_shr(lmb_shl(x[i], 3), shift));
-    form_set(l->form[1], on, x);
-    for (i = 0; i < 2; i++) on[i] = lmb_add(at[i], lmb_shr(lmb_shl(y[i], 3), shift));
-    form_set(l->form[2], on, y);
-    form_set(l->form[3], x, x);
-    form_set(l->form[4], y, y);
-    form_set(l->form[5], x, y);
+    int32_t at[2], on[2];
+    unsigned down = numerators_at(l, at), i;
+    l->square_q16 = lmb_mulu(l->reciprocal_q16, l->reciprocal_q16) >> 16;
+    form_set(l, 0, at, at);
+    half_on(on, at, l->x, down);
+    form_set(l, 1, on, l->x);
+    half_on(on, at, l->y, down);
+    form_set(l, 2, on, l->y);
+    form_set(l, 3, l->x, l->x);
+    form_set(l, 4, l->y, l->y);
+    form_set(l, 5, l->x, l->y);
+    l->form_shift[0] += 2 * down;
+    l->form_shift[1] += 5 + down;
+    l->form_shift[2] += 5 + down;
+    for (i = 3; i < 6; i++) l->form_shift[i] += 9;
 }
 
-/* A pixel near corner 0 from which nothing in the frame is far. */
-static int32_t anchor(int32_t corner) { return lmb_max(0, lmb_min(lmb_shr(corner, 4), ANCHOR_MAX)); }
+/* The area, x[0] y[1] - x[1] y[0] with what x and y stand for, and its reciprocal as 16 bits; 1 for none or less. */
+static void lattice_area(lmb_lattice *l)
+{
+    uint32_t area;
+    unsigned down = 0;
+    if (LMB_WITH_LARGE && l->large) {
+        int64_t wide = lmb_dot_wide(l->x[0], l->y[1], lmb_sub(0, l->x[1]), l->y[0]);
+        unsigned size = lmb_bits_wide(wide, 0);
+        down = size > 32 ? size - 32 : 0;
+        area = wide < 1 ? 1 : (uint32_t)(wide >> down);
+    } else {
+        area = (uint32_t)lmb_max(1, lmb_sub(lmb_mul(l->x[0], l->y[1]), lmb_mul(l->x[1], l->y[0])));
+    }
+    l->reciprocal_q16 = (uint32_t)lmb_min((int32_t)((lmb_reciprocal(area, &l->shift) + 0x4000u) >> 15), 65535);
+    l->shift += down;
+}
+
+/* The pixel of corner 0; of a large triangle one from which nothing in the frame is far. */
+static int32_t anchor(const lmb_lattice *l, int32_t corner)
+{
+    int32_t pixel = lmb_shr(corner, 4);
+    return LMB_WITH_LARGE && l->large ? lmb_max(0, lmb_min(pixel, ANCHOR_MAX)) : pixel;
+}
 
 void lmb_lattice_begin(lmb_lattice *l, const lmb_vertex *const corner[3], int32_t row, bool curved)
 {
-    int32_t x0 = corner[0]->x, y0 = corner[0]->y, anchor_row = anchor(y0);
-    edges whole = {lmb_sub(corner[1]->x, x0), lmb_sub(corner[1]->y, y0), lmb_sub(corner[2]->x, x0), lmb_sub(corner[2]->y, y0)}, e;
-    unsigned size = edges_bits(&whole), down = size > LINEAR_BITS ? size - LINEAR_BITS : 0;
-    e = edges_down(whole, down);
-    l->a1 = e.y2;
-    l->b1 = lmb_sub(0, e.x2);
-    l->a2 = lmb_sub(0, e.y1);
-    l->b2 = e.x1;
-    l->bits = edges_bits(&e);
-    l->reciprocal_q16 = area_reciprocal(&e, &l->shift);
+    int32_t x0 = corner[0]->x, y0 = corner[0]->y, anchor_row;
+    unsigned down = 0;
+    l->x[0] = lmb_sub(corner[2]->y, y0);
+    l->y[0] = lmb_sub(x0, corner[2]->x);
+    l->x[1] = lmb_sub(y0, corner[1]->y);
+    l->y[1] = lmb_sub(corner[1]->x, x0);
+    l->bits = bits_of(magnitude(l->x[0]) | magnitude(l->y[0]) | magnitude(l->x[1]) | magnitude(l->y[1]));
+    l->large = l->bits > NEAR_BITS;
+    if (!LMB_WITH_LARGE && l->large) { /* a coarser grid */
+        down = l->bits - NEAR_BITS;
+        l->x[0] = lmb_shr(l->x[0], down);
+        l->y[0] = lmb_shr(l->y[0], down);
+        l->x[1] = lmb_shr(l->x[1], down);
+        l->y[1] = lmb_shr(l->y[1], down);
+        l->bits = NEAR_BITS;
+    }
+    lattice_area(l);
     l->shift += down; /* p / 2^down over area / 4^down is p over area times 2^down */
-    l->column = anchor(x0);
+    anchor_row = anchor(l, y0);
+    l->column = anchor(l, x0);
     l->rows = lmb_sub(row, anchor_row);
     l->offset_x = lmb_sub(lmb_add(lmb_shl(l->column, 4), 8), x0);
     l->offset_y = lmb_sub(lmb_add(lmb_shl(anchor_row, 4), 8), y0);
-    size = bits_of(magnitude(l->offset_x) | magnitude(l->offset_y));
-    l->offset_drop = size > 4 ? size - 3 : 0;
-    l->curved = curved;
-    if (curved) lattice_curve(l, whole);
+    l->curved = curved && l->shift + HEIGHT_BITS >= 2 * l->bits;
+    if (l->curved) lattice_curve(l);
 }
 
 /* The sum of a form's three products with the curvatures q, |q| < 2^14, over 2^shift, to nearest. Products are formed in two halves;
@@ -171,7 +197,7 @@ static int32_t form_apply(const int32_t form[3], const int32_t q[3], int32_t shi
 /* Adds the quadratic part. Bulges are below one in magnitude, so |q| < 2^30 in units of 4 * 2^-28. */
 static void plane_curve(lmb_plane *plane, const lmb_lattice *l, const lmb_net *net)
 {
-    int32_t q[3], value[6], base, at = l->at_shift;
+    int32_t q[3], value[6], base;
     unsigned size, drop;
     int i;
     q[0] = lmb_sub(0, net->bulge[0]);
@@ -182,10 +208,9 @@ static void plane_curve(lmb_plane *plane, const lmb_lattice *l, const lmb_net *n
     if (size == 0) return;
     drop = size > CURVATURE_BITS ? size - CURVATURE_BITS : 0;
     for (i = 0; i < 3 && drop > 0; i++) q[i] = lmb_shr(q[i], drop);
-    /* Q2.30 of 4 * 2^-28 * q 2^(drop + 16) * 2^-(16 + square_shift) times a form: over 2^base */
-    base = l->square_shift - 4 - (int32_t)drop;
-    value[0] = form_apply(l->form[0], q, base - 2 * at);
-    for (i = 1; i < 6; i++) value[i] = form_apply(l->form[i], q, i < 3 ? base - 5 - at : base - 9);
+    /* Q2.30 of 4 * 2^-28 * q 2^(drop + 16) * 2^-(16 + 2 shift) times a form: over 2^base */
+    base = 2 * (int32_t)l->shift - 4 - (int32_t)drop;
+    for (i = 0; i < 6; i++) value[i] = form_apply(l->form[i], q, base - (int32_t)l->form_shift[i]);
     plane->f = lmb_add_wrap(plane->f, value[0]);
     plane->dx = lmb_add_wrap(plane->dx, value[1]);
     plane->dy = lmb_add_wrap(plane->dy, value[2]);
@@ -194,12 +219,18 @@ static void plane_curve(lmb_plane *plane, const lmb_lattice *l, const lmb_net *n
     plane->dxy = value[5];
 }
 
-/* n * offset / 2^(4 + offset_drop): at most half of n's range. Where the offset is within a pixel, in 32 bits: the low four bits go
- * apart. */
-static int32_t offset_times(int32_t n, int32_t offset, unsigned offset_drop)
+/* (nx offset_x + ny offset_y) / 2^(4 + *drop), below 2^31: what lies between corner 0 and the anchor. Within a pixel in 32 bits, where the
+ * low four bits of the numerators go apart. */
+static int32_t offset_of(const lmb_lattice *l, int32_t nx, int32_t ny, int32_t *drop)
 {
-    if (offset_drop > 0) return lmb_mul_shr(n, offset, 4 + offset_drop);
-    return lmb_add(lmb_mul(lmb_shr(n, 4), offset), lmb_shr(lmb_mul(n & 15, offset), 4));
+    int32_t x = l->offset_x, y = l->offset_y;
+    *drop = 0;
+    if (LMB_WITH_LARGE && l->large) {
+        *drop = (int32_t)bits_of(magnitude(x) | magnitude(y)) - 3;
+        return lmb_add(lmb_mul_shr(nx, x, (unsigned)(4 + *drop)), lmb_mul_shr(ny, y, (unsigned)(4 + *drop)));
+    }
+    nx = lmb_add(lmb_mul(lmb_shr(nx, 4), x), lmb_shr(lmb_mul(nx & 15, x), 4));
+    return lmb_add(nx, lmb_add(lmb_mul(lmb_shr(ny, 4), y), lmb_shr(lmb_mul(ny & 15, y), 4)));
 }
 
 static void plane_descend(lmb_plane *plane, int32_t rows)
@@ -210,28 +241,41 @@ static void plane_descend(lmb_plane *plane, int32_t rows)
     plane->dx = lmb_add_wrap(plane->dx, lmb_mul_wrap(rows, plane->dxy));
 }
 
+/* Numerators of the gradient, rises times edges, in units of 2^-28 times 2^drop and below 2^31; returns drop. */
+static unsigned numerators(const lmb_lattice *l, int32_t rise1, int32_t rise2, int32_t *nx, int32_t *ny)
+{
+    unsigned drop = 0, size;
+    if (LMB_WITH_LARGE && l->large) {
+        int64_t x = lmb_dot_wide(rise1, l->x[0], rise2, l->x[1]), y = lmb_dot_wide(rise1, l->y[0], rise2, l->y[1]);
+        size = lmb_bits_wide(x, y);
+        drop = size > 31 ? size - 31 : 0;
+        *nx = (int32_t)(x >> drop);
+        *ny = (int32_t)(y >> drop);
+        return drop;
+    }
+    size = bits_of(magnitude(rise1) | magnitude(rise2)) + l->bits;
+    if (size > 30) {
+        drop = size - 30;
+        rise1 = lmb_shr_round(rise1, drop);
+        rise2 = lmb_shr_round(rise2, drop);
+    }
+    *nx = lmb_add(lmb_mul(rise1, l->x[0]), lmb_mul(rise2, l->x[1]));
+    *ny = lmb_add(lmb_mul(rise1, l->y[0]), lmb_mul(rise2, l->y[1]));
+    return drop;
+}
+
 void lmb_plane_begin(lmb_plane *plane, const lmb_lattice *l, const lmb_net *net)
 {
-    int32_t rise1 = lmb_sub(net->value[1], net->value[0]), rise2 = lmb_sub(net->value[2], net->value[0]), nx, ny, shift;
-    unsigned size, room = 30 - l->bits, drop = 0;
+    int32_t rise1 = lmb_sub(net->value[1], net->value[0]), rise2 = lmb_sub(net->value[2], net->value[0]);
+    int32_t nx, ny, offset, offset_drop, shift;
     if (l->curved) {
         rise1 = lmb_add(rise1, lmb_shl(net->bulge[0], 2));
         rise2 = lmb_add(rise2, lmb_shl(net->bulge[2], 2));
     }
-    size = bits_of(magnitude(rise1) | magnitude(rise2));
-    if (size > room) {
-        drop = size - room;
-        rise1 = lmb_shr_round(rise1, drop);
-        rise2 = lmb_shr_round(rise2, drop);
-    }
-    nx = lmb_add(lmb_mul(rise1, l->a1), lmb_mul(rise2, l->a2));
-    ny = lmb_add(lmb_mul(rise1, l->b1), lmb_mul(rise2, l->b2));
     /* per pixel and in Q2.30: numerator * 16 * reciprocal_q16 * 2^-(16 + shift) * 2^(30 - 28 + drop) */
-    shift = (int32_t)l->shift + 10 - (int32_t)drop;
-    plane->f = lmb_add_wrap(lmb_shl_wrap(net->value[0], 2),
-                            over_area(lmb_add(offset_times(nx, l->offset_x, l->offset_drop),
-                                              offset_times(ny, l->offset_y, l->offset_drop)),
-                                      l, shift - (int32_t)l->offset_drop));
+    shift = (int32_t)l->shift + 10 - (int32_t)numerators(l, rise1, rise2, &nx, &ny);
+    offset = offset_of(l, nx, ny, &offset_drop);
+    plane->f = lmb_add_wrap(lmb_shl_wrap(net->value[0], 2), over_area(offset, l, shift - offset_drop));
     plane->dx = over_area(nx, l, shift);
     plane->dy = over_area(ny, l, shift);
     plane->dxx = plane->dxy = plane->dyy = 0;

@@ -6,22 +6,22 @@
 #include "lambent.h"
 
 /* What all planes of one triangle share. With p a position relative to corner 0 in 1/16 pixel, the barycentric coordinates of corners
- * 1 and 2 are lambda1 = (a1 px + b1 py) / area and lambda2 = (a2 px + b2 py) / area. */
+ * 1 and 2 are lambda1 = (x[0] px + y[0] py) / area and lambda2 = (x[1] px + y[1] py) / area. */
 typedef struct lmb_lattice {
-    int32_t a1, b1, a2, b2;         /* |.| < 2^bits */
+    int32_t x[2], y[2];         /* |.| < 2^bits */
     unsigned bits;
-    uint32_t reciprocal_q16;        /* 1 / area = reciprocal_q16 * 2^-(16 + shift) */
+    bool large;                 /* reaches over more than 512 pixels: products are formed in 64 bits, and the anchor may be moved */
+    bool curved;                /* square_q16 and what follows are valid */
+    int32_t column;             /* the anchor: the pixel where planes are set up */
+    int32_t rows;               /* from there to the row where they begin */
+    int32_t offset_x, offset_y; /* from corner 0 to the anchor's centre, 1/16 pixel; -7 to 8 unless large */
+    uint32_t reciprocal_q16;    /* 1 / area = reciprocal_q16 * 2^-(16 + shift) */
     unsigned shift;
-    int32_t column;                 /* the anchor: the pixel where planes are set up */
-    int32_t rows;                   /* from there to the row where they begin */
-    int32_t offset_x, offset_y;     /* from corner 0 to the anchor's centre, 1/16 pixel; -7 to 8 unless the anchor was moved */
-    unsigned offset_drop;           /* |offset| < 2^(3 + offset_drop), or |offset| <= 8 and 0 */
-    bool curved;                    /* the rest is valid */
-    uint32_t square_q16;            /* 1 / area^2 = square_q16 * 2^-(16 + square_shift) */
-    int32_t square_shift, at_shift; /* numerators at the anchor are forms times 2^at_shift */
+    uint32_t square_q16;        /* 1 / area^2 = square_q16 * 2^-(16 + 2 shift) */
     /* Products of numerators, from which each quadratic takes its six numbers: value, dx, dy, dxx/2, dyy/2, dxy/2, each as
-     * (lambda1 lambda1, lambda2 lambda2, lambda1 lambda2 twice). */
+     * (lambda1 lambda1, lambda2 lambda2, lambda1 lambda2 twice), and what they have been shifted down by. */
     int32_t form[6][3];
+    unsigned form_shift[6];
 } lmb_lattice;
 
 /* A function over the triangle in Q4.28, as a Bezier net: its values at the corners, and its bulges on edges 01, 12, 20, mid-edge

@@ -9,7 +9,7 @@
  * them; the lattice is curved if the look asks for quadratics. */
 void lmb_shade_begin(lmb_triangle *triangle, const lmb_lattice *lattice, const lmb_vertex *const corner[3]);
 
-/* Starts all terms of an arc span between two normals, length and start in 1/16 pixel. */
+/* Starts all terms of an arc span between two normals, length and start as lmb_arc_prepare has them. */
 void lmb_shade_arc(const lmb_triangle *triangle, lmb_span *span, lmb_vec from, lmb_vec to, uint32_t length, uint32_t start);
 
 #endif

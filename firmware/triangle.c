@@ -42,9 +42,13 @@ static bool in_window(const lmb_triangle *t, const lmb_vertex *a, const lmb_vert
 
 /* ----------------------------------------------------------------------------------------------------------------- arcs on edges */
 
+/* Q28.4 in the unit of arcs; x is not below zero, and an edge is less than 65536 pixels tall. */
+static uint32_t arc_unit(int32_t x) { return (uint32_t)x << 12; }
+LMB_STATIC_ASSERT(LMB_ARC_PIXEL == 16UL << 12 && 2 * LMB_SCREEN_MAX <= (long)(LMB_ARC_LENGTH_MAX >> 12));
+
 static uint32_t row_start(const lmb_vertex *top)
 {
-    return (uint32_t)lmb_sub(lmb_add(lmb_shl(lmb_row_at(top->y), 4), 8), top->y);
+    return arc_unit(lmb_sub(lmb_add(lmb_shl(lmb_row_at(top->y), 4), 8), top->y));
 }
 
 static int32_t component_rise(int32_t from, int32_t to)
@@ -60,11 +64,18 @@ static void edge_arc_step(lmb_edge_arc *e)
     lmb_arc_step(&e->arc, &e->component[2]);
 }
 
-static void edge_arc_begin(lmb_edge_arc *e, const lmb_vertex *top, const lmb_vertex *bottom, int32_t row)
+/* cos(117 degrees), Q4.28. Normals that lmb_arc_between takes for more than 120 degrees apart are certainly beyond it. */
+#define STRAIGHT_Q28 (-0x07400000)
+
+static void edge_arc_begin(lmb_edge_arc *e, const lmb_vertex *top, const lmb_vertex *bottom, int32_t row, uint32_t modulus)
 {
     const lmb_vec a = top->normal, b = bottom->normal;
     int32_t skip = lmb_sub(row, lmb_row_at(top->y));
-    lmb_arc_between(&e->arc, a, b, (uint32_t)lmb_sub(bottom->y, top->y), row_start(top));
+    unsigned shift;
+    e->inverse = (int32_t)(lmb_reciprocal(modulus, &shift) >> 1);
+    e->inverse_shift = (uint8_t)shift;
+    e->straight = lmb_dot_q28(a, b) < STRAIGHT_Q28;
+    lmb_arc_between(&e->arc, a, b, arc_unit(lmb_sub(bottom->y, top->y)), row_start(top));
     lmb_arc_start(&e->arc, &e->component[0], lmb_mul(a.x, 65536), component_rise(a.x, b.x));
     lmb_arc_start(&e->arc, &e->component[1], lmb_mul(a.y, 65536), component_rise(a.y, b.y));
     lmb_arc_start(&e->arc, &e->component[2], lmb_mul(a.z, 65536), component_rise(a.z, b.z));
@@ -79,6 +90,9 @@ static int16_t component_now(const lmb_term *term)
 static lmb_vec edge_arc_normal(const lmb_edge_arc *e)
 {
     lmb_vec n;
+    if (e->straight) {
+        return lmb_normalise(lmb_shr(e->component[0].f, 2), lmb_shr(e->component[1].f, 2), lmb_shr(e->component[2].f, 2));
+    }
     n.x = component_now(&e->component[0]);
     n.y = component_now(&e->component[1]);
     n.z = component_now(&e->component[2]);
@@ -90,8 +104,11 @@ static lmb_vec edge_arc_normal(const lmb_edge_arc *e)
 /* Walks one side from its upper corner; row is the first row to be shown. */
 static void side_begin(lmb_triangle *t, bool left, const lmb_vertex *top, const lmb_vertex *bottom, int32_t row)
 {
-    lmb_edge_begin(left ? &t->left : &t->right, top->x, top->y, bottom->x, bottom->y, row);
-    if (LMB_WITH_ARC && t->kind == LMB_SPAN_ARC) edge_arc_begin(left ? &t->u.arc.left : &t->u.arc.right, top, bottom, row);
+    lmb_edge *edge = left ? &t->left : &t->right;
+    lmb_edge_begin(edge, top->x, top->y, bottom->x, bottom->y, row);
+    if (LMB_WITH_ARC && t->kind == LMB_SPAN_ARC) {
+        edge_arc_begin(left ? &t->u.arc.left : &t->u.arc.right, top, bottom, row, edge->modulus);
+    }
 }
 
 static void depth_begin(lmb_triangle *t, const lmb_lattice *lattice, const lmb_vertex *const corner[3])
@@ -149,21 +166,21 @@ bool lmb_triangle_begin(lmb_triangle *t, const lmb_look *look, const lmb_rays *r
 
 /* ------------------------------------------------------------------------------------------------------------------------ spans */
 
-/* How far left of the centre of pixel edge->x the edge crosses, in 1/16 pixel, 0 to 15: gap * 16 / modulus. */
-static int32_t behind(const lmb_edge *edge)
+/* How far left of the centre of pixel edge->x the edge crosses, in the unit of arcs: gap / modulus, less than a pixel.
+ * gap < modulus < 2^(shift + 1), so gap raised by 31 - shift fits 32 bits. Its upper 16 are enough, and all there is on edges of
+ * up to 255 pixels. inverse is 2^(30 + shift) / modulus, so the product has 29 fraction bits.
+ *   error  never above the true value; short of it by less than 3 units */
+static uint32_t behind(const lmb_edge *edge, const lmb_edge_arc *e)
 {
-    unsigned shift;
-    uint32_t reciprocal = lmb_reciprocal(edge->modulus, &shift);
-    return lmb_min(15, lmb_mul_shr((int32_t)edge->gap, (int32_t)(reciprocal >> 1), 30 + shift - 4));
+    return (uint32_t)lmb_shr(lmb_mul_q16(e->inverse, edge->gap << (31 - e->inverse_shift) >> 16), 13);
 }
 
 static void arc_span(const lmb_triangle *t, lmb_span *span, int32_t hidden)
 {
-    int32_t from = behind(&t->left), to = behind(&t->right);
-    int32_t length = lmb_sub(lmb_add(lmb_shl(lmb_sub(t->right.x, t->left.x), 4), from), to);
+    uint32_t from = behind(&t->left, &t->u.arc.left), to = behind(&t->right, &t->u.arc.right);
+    uint32_t length = arc_unit(lmb_shl(lmb_sub(t->right.x, t->left.x), 4)) + from - to; /* at least one: there is a pixel */
     unsigned i;
-    lmb_shade_arc(t, span, edge_arc_normal(&t->u.arc.left), edge_arc_normal(&t->u.arc.right), (uint32_t)lmb_max(length, 1),
-                  (uint32_t)from);
+    lmb_shade_arc(t, span, edge_arc_normal(&t->u.arc.left), edge_arc_normal(&t->u.arc.right), length, from);
     for (; hidden > 0; hidden--) {
         for (i = 0; i < t->look->lights; i++) {
             lmb_arc_step(&span->arc, &span->diffuse[i]);

@@ -63,8 +63,26 @@ static inline int32_t arc_u_q28(double psi) { return (int32_t)lround(2 * sin(psi
 /* A span between two normals, and a ray. */
 typedef struct arc_case {
     lmb_vec from, to, ray;
-    uint32_t length, start; /* 1/16 pixel */
+    uint32_t length, start; /* LMB_ARC_PIXEL to a pixel */
 } arc_case;
+
+/* A length, in pixels. */
+static inline double arc_pixels(uint32_t length) { return (double)length / LMB_ARC_PIXEL; }
+
+/* A length even in its logarithm. */
+static inline uint32_t arc_random_length(test_random *r, double low_px, double high_px)
+{
+    double length = floor(LMB_ARC_PIXEL * low_px * pow(high_px / low_px, test_real(r, 0, 1)) + 0.5);
+    return (uint32_t)fmin(fmax(length, 1), LMB_ARC_PIXEL * high_px);
+}
+
+/* A start on an arc: any, or one in eight at either end of what a first pixel may have. */
+static inline uint32_t arc_random_start(test_random *r, uint32_t length)
+{
+    uint32_t last = length < LMB_ARC_PIXEL ? length : LMB_ARC_PIXEL - 1;
+    int64_t kind = test_integer(r, 0, 15);
+    return kind == 0 ? 0 : kind == 1 ? last : (uint32_t)test_integer(r, 0, last);
+}
 
 /* One at random: ends psi apart, and a ray that mostly lies close to what the normal passes, where highlights are. */
 static inline arc_case arc_random_case(test_random *r, double psi, uint32_t length)
@@ -83,7 +101,7 @@ static inline arc_case arc_random_case(test_random *r, double psi, uint32_t leng
     c.to = arc_round(arc_blend(a, cos(psi), side, sin(psi)), 16384);
     c.ray = arc_round(ray, 16384);
     c.length = length;
-    c.start = (uint32_t)test_integer(r, 0, length < 16 ? length : 16);
+    c.start = arc_random_start(r, length);
     return c;
 }
 
@@ -116,19 +134,12 @@ static inline void arc_measure(arc_errors *e, const arc_case *c, const int *n, i
     uint32_t x;
     lmb_arc_between(&arc, c->from, c->to, c->length, c->start);
     lmb_arc_dot(&arc, &term, c->from, c->to, c->ray, 65536);
-    for (x = c->start; x <= c->length; x += 16) {
+    for (x = c->start; x <= c->length; x += LMB_ARC_PIXEL) {
         double t = (double)x / c->length;
         double want = psi < 1e-12 ? a : (sin(psi * (1 - t)) * a + sin(psi * t) * b) / sin(psi);
         arc_compare(e, term.f / 1073741824.0, want, n, powers);
         lmb_arc_step(&arc, &term);
     }
-}
-
-/* A length in 1/16 pixel, even in its logarithm. */
-static inline uint32_t arc_random_length(test_random *r, double low_px, double high_px)
-{
-    double length = floor(16 * low_px * pow(high_px / low_px, test_real(r, 0, 1)) + 0.5);
-    return (uint32_t)fmin(fmax(length, 1), 16 * high_px);
 }
 
 #endif

@@ -20,10 +20,10 @@ static void measure(double psi, uint32_t pixels, double amplitude, double phase,
     lmb_term term;
     int32_t block[4] = {0, 0, 0, 0};
     uint32_t t;
-    lmb_plain16_prepare(&plain16, u, pixels * 16, a, rise);
-    lmb_plain32_prepare(&plain32, u, pixels * 16, a, rise);
-    lmb_block4_prepare(&block4, u, pixels * 16, a, rise);
-    lmb_arc_prepare(&arc, u, pixels * 16, 0);
+    lmb_plain16_prepare(&plain16, u, pixels * LMB_ARC_PIXEL, a, rise);
+    lmb_plain32_prepare(&plain32, u, pixels * LMB_ARC_PIXEL, a, rise);
+    lmb_block4_prepare(&block4, u, pixels * LMB_ARC_PIXEL, a, rise);
+    lmb_arc_prepare(&arc, u, pixels * LMB_ARC_PIXEL, 0);
     lmb_arc_start(&arc, &term, a, rise);
     block[3] = block4.f;
     for (t = 0; t <= pixels; t++) {

@@ -19,8 +19,8 @@ int main(void)
         for (j = 0; j < sizeof pixels / sizeof *pixels; j++) {
             arc_errors e = {0, {0}};
             for (k = 0; k < 8 + PIXELS / pixels[j]; k++) {
-                uint32_t part = pixels[j] > 1 ? (uint32_t)test_integer(&r, 0, 15) : 0;
-                arc_case c = arc_random_case(&r, psi[i] * ARC_PI / 180, pixels[j] * 16 - part);
+                uint32_t part = pixels[j] > 1 ? (uint32_t)test_integer(&r, 0, LMB_ARC_PIXEL - 1) : 0;
+                arc_case c = arc_random_case(&r, psi[i] * ARC_PI / 180, pixels[j] * LMB_ARC_PIXEL - part);
                 arc_measure(&e, &c, exponents, ARC_POWERS);
             }
             printf("diffuse,1,%g,%u,%.3g\n", psi[i], (unsigned)pixels[j], e.f);

@@ -682,8 +682,9 @@ static double extent(const lmb_vertex v[3])
 }
 
 /* What plane.c says of corners up to 512 pixels apart, whatever the shape: a linear part within 2^-16 of rises up to two, a
- * quadratic one within 2^-13 of its coefficients, four times the bulges, floored to 14 bits. Beyond, a term must at least be no
- * worse than it would be without its curve, but for 1/256. */
+ * quadratic one within 2^-13 of its coefficients, four times the bulges, floored to 14 bits; numerators at the anchor are floored by
+ * less than four, so barycentric coordinates may be off by that over the area; and second differences are rounded. Beyond, and where a triangle is so thin that plane.c
+ * leaves its curve out, a term must be no worse than it would be without its curve, but for 1/256. */
 #define LINEAR_ERROR ldexp(1, -15)
 #define CURVED_ERROR ldexp(1, -13)
 
@@ -694,12 +695,22 @@ typedef struct term_errors {
     uint64_t pixels;
 } term_errors;
 
-static void errors_take(term_errors *e, const quadratic *q, double factor, double error, double size)
+static double bulge_of(const quadratic *q)
 {
     double bulge = 0;
     int i;
     for (i = 0; i < 3; i++) bulge += fabs(q->middle[i] - (q->corner[i] + q->corner[(i + 1) % 3]) / 2);
-    if (size < 512 * PX) e->share = larger(e->share, error / factor / (LINEAR_ERROR + 4 * bulge * CURVED_ERROR));
+    return bulge;
+}
+
+/* Whether a triangle may be drawn without its curve: at least 1024 times longer than high. */
+static int is_thin(double size, double area) { return area < size * size / 1024; }
+
+static void errors_take(term_errors *e, const quadratic *q, double factor, double error, double size, double area)
+{
+    double bulge = bulge_of(q), bound = LINEAR_ERROR * (1 + 64 / area) + 4 * bulge * (CURVED_ERROR + 8 / area);
+    if (bulge > 0) bound += ldexp(size / PX * (size / PX), -30); /* second differences, half a unit of 2^-30 each */
+    if (size < 512 * PX && !is_thin(size, area)) e->share = larger(e->share, error / factor / bound);
     e->excess = larger(e->excess, error / factor - bulge);
 }
 
@@ -712,7 +723,8 @@ static void errors_of_light(term_errors *e, const shape *s, const lmb_look *look
                     v = model_terms(s->v, rays->light[k].half, 1, curved);
     const double slope = ldexp(look->lobe.slope, look->lobe.slope_shift - 15), alpha = ldexp(look->lobe.alpha_q30, -30);
     const double zero = look->lobe.floor_q15 / 32768.0; /* where the lobe ends */
-    double size = extent(s->v), l[3], want, got;
+    double size = extent(s->v), area = fabs((double)side_of(&s->v[0], &s->v[1], s->v[2].x, s->v[2].y)), l[3], want, got;
+    const double doubt_f = is_thin(size, area) ? bulge_of(&f) : 0, doubt_v = is_thin(size, area) ? slope * bulge_of(&v) : 0;
     int x, y;
     for (y = s->window.top; y < s->window.bottom; y++, p += SIDE - width_of(&s->window)) {
         for (x = s->window.left; x < s->window.right; x++, p++) {
@@ -722,16 +734,16 @@ static void errors_of_light(term_errors *e, const shape *s, const lmb_look *look
             want = quadratic_at(&f, l);
             e->range = larger(e->range, fabs(want));
             got = p->diffuse_on >> k & 1 ? ldexp(p->diffuse[k], -30) : fmin(0, want);
-            e->dark = larger(e->dark, p->diffuse_on >> k & 1 ? 0 : want);
+            e->dark = larger(e->dark, p->diffuse_on >> k & 1 ? 0 : want - doubt_f);
             e->diffuse = larger(e->diffuse, fabs(got - want));
-            errors_take(e, &f, 1, fabs(got - want), size);
+            errors_take(e, &f, 1, fabs(got - want), size, area);
             want = alpha - slope * quadratic_at(&v, l);
             if (!(look->specular_on >> k & 1)) continue;
             got = p->specular_on >> k & 1 ? ldexp(p->specular[k], p->exponent[k] - 30) : fmin(zero, want);
-            e->dark = larger(e->dark, p->specular_on >> k & 1 ? 0 : want - zero);
+            e->dark = larger(e->dark, p->specular_on >> k & 1 ? 0 : want - zero - doubt_v);
             if (want <= zero && got <= zero) continue;
             e->specular = larger(e->specular, fabs(got - want));
-            errors_take(e, &v, larger(slope, 1), fabs(got - want), size);
+            errors_take(e, &v, larger(slope, 1), fabs(got - want), size, area);
         }
     }
 }
