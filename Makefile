@@ -49,7 +49,7 @@ deps:
 	$(Q)hosttest/deps.sh
 
 ## report: write build/report/*.csv, the errors of lobes, arcs, spans and images
-report: $(B)/bin/report_lobe $(B)/bin/report_arc $(B)/bin/report_span $(B)/bin/report_image
+report: report_tools
 	$(Q)mkdir -p $(B)/report
 	$(Q)for t in lobe arc span image; do \
 	    echo "$(B)/report/$$t.csv"; $(B)/bin/report_$$t > $(B)/report/$$t.csv || exit 1; done
@@ -92,6 +92,9 @@ models: $(B)/models/teapot.obj $(B)/models/torus.obj $(B)/models/icosphere.obj
 
 ## tests: build the test programs without running them
 tests: $(TESTS:%=$(B)/bin/%)
+
+.PHONY: report_tools
+report_tools: $(B)/bin/report_lobe $(B)/bin/report_arc $(B)/bin/report_span $(B)/bin/report_image
 
 ## clean: remove build/
 clean:

@@ -49,6 +49,9 @@ static inline unsigned lmb_clz32(uint32_t x)
 static inline int32_t lmb_min(int32_t a, int32_t b) { return a < b ? a : b; }
 static inline int32_t lmb_max(int32_t a, int32_t b) { return a > b ? a : b; }
 
+/* Bit i of a mask, i below 8. */
+static inline bool lmb_bit(uint8_t mask, unsigned i) { return ((uint32_t)mask >> i & 1u) != 0; }
+
 /* A uint32_t bit pattern as int32_t, without the implementation-defined conversion. Compilers make it nothing. */
 static inline int32_t lmb_signed(uint32_t x)
 {

@@ -108,7 +108,7 @@ static void shade_planes(lmb_triangle *t, const lmb_lattice *lattice, const lmb_
             t->diffuse_on |= (uint8_t)(1u << i);
             lmb_plane_begin(&t->u.plane.diffuse[i], lattice, &net);
         }
-        if (!(t->look->specular_on >> i & 1u)) continue;
+        if (!lmb_bit(t->look->specular_on, i)) continue;
         distances_q28(net.value, corner, t->rays->light[i].half);
         net_bulge(&net, factor, ONE_Q28);
         if (net_argument(&net, &t->look->lobe, &t->exponent[i])) {
@@ -136,7 +136,7 @@ static void shade_corners(lmb_triangle *t, const lmb_lattice *lattice, const lmb
             t->diffuse_on |= (uint8_t)(1u << i);
             lmb_plane_begin(&t->u.plane.diffuse[i], lattice, &net);
         }
-        if (!(t->look->specular_on >> i & 1u)) continue;
+        if (!lmb_bit(t->look->specular_on, i)) continue;
         distances_q28(net.value, corner, t->rays->light[i].half);
         for (k = 0; k < 3; k++) net.value[k] = lobe_q28(&t->look->lobe, net.value[k]);
         if (net_high(&net) > 0) {
@@ -158,7 +158,7 @@ static void shade_face(lmb_triangle *t, const lmb_vertex *const corner[3])
             t->diffuse_on |= (uint8_t)(1u << i);
             t->u.plane.diffuse[i].f = lmb_shl(value, 2);
         }
-        if (!(t->look->specular_on >> i & 1u)) continue;
+        if (!lmb_bit(t->look->specular_on, i)) continue;
         value = lobe_q28(&t->look->lobe, lmb_half_distance_q28(n, t->rays->light[i].half));
         if (value > 0) {
             t->specular_on |= (uint8_t)(1u << i);
@@ -195,7 +195,7 @@ void lmb_shade_arc(const lmb_triangle *t, lmb_span *span, lmb_vec from, lmb_vec 
     lmb_arc_between(&span->arc, from, to, length, start);
     for (i = 0; i < t->look->lights; i++) {
         lmb_arc_dot(&span->arc, &span->diffuse[i], from, to, t->rays->light[i].direction, 65536);
-        if (!(t->specular_on >> i & 1u)) continue;
+        if (!lmb_bit(t->specular_on, i)) continue;
         lmb_arc_dot(&span->arc, &span->specular[i], from, to, t->rays->light[i].half, scale_q16);
         span->specular[i].c = lmb_sub(lmb_shr(lobe->alpha_q30, (unsigned)exponent), (int32_t)(scale_q16 << 14));
         span->exponent[i] = (uint8_t)exponent;

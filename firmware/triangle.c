@@ -184,7 +184,7 @@ static void arc_span(const lmb_triangle *t, lmb_span *span, int32_t hidden)
     for (; hidden > 0; hidden--) {
         for (i = 0; i < t->look->lights; i++) {
             lmb_arc_step(&span->arc, &span->diffuse[i]);
-            if (t->specular_on >> i & 1u) lmb_arc_step(&span->arc, &span->specular[i]);
+            if (lmb_bit(t->specular_on, i)) lmb_arc_step(&span->arc, &span->specular[i]);
         }
     }
 }
@@ -194,8 +194,8 @@ static void plane_span(const lmb_triangle *t, lmb_span *span)
     int32_t columns = lmb_sub(span->x, t->column);
     unsigned i;
     for (i = 0; i < t->look->lights; i++) {
-        if (t->diffuse_on >> i & 1u) span->diffuse[i] = lmb_plane_term(&t->u.plane.diffuse[i], columns);
-        if (t->specular_on >> i & 1u) span->specular[i] = lmb_plane_term(&t->u.plane.specular[i], columns);
+        if (lmb_bit(t->diffuse_on, i)) span->diffuse[i] = lmb_plane_term(&t->u.plane.diffuse[i], columns);
+        if (lmb_bit(t->specular_on, i)) span->specular[i] = lmb_plane_term(&t->u.plane.specular[i], columns);
         span->exponent[i] = t->exponent[i];
     }
 }
@@ -222,8 +222,8 @@ static void rows_step(lmb_triangle *t)
         edge_arc_step(&t->u.arc.right);
     } else if (t->kind == LMB_SPAN_PLANE) {
         for (i = 0; i < t->look->lights; i++) {
-            if (t->diffuse_on >> i & 1u) lmb_plane_down(&t->u.plane.diffuse[i]);
-            if (t->specular_on >> i & 1u) lmb_plane_down(&t->u.plane.specular[i]);
+            if (lmb_bit(t->diffuse_on, i)) lmb_plane_down(&t->u.plane.diffuse[i]);
+            if (lmb_bit(t->specular_on, i)) lmb_plane_down(&t->u.plane.specular[i]);
         }
     }
     if (t->y == t->y_switch && t->y < t->y_end) side_begin(t, !t->long_left, t->corner[1], t->corner[2], t->y);

@@ -31,7 +31,9 @@ build() {
     variant=$1 cc=$2 cflags=$3 ldflags=$4
     shift 4
     $MAKE -s -j2 B="$build/$variant" CC="$cc" CFLAGS="$strict $cflags" LDFLAGS="$ldflags" "$@" >"$log/build-$variant" 2>&1
-    verdict $? "build $variant" "$cc $cflags, warnings as errors" "$log/build-$variant"
+    status=$?
+    verdict $status "build $variant" "$cc $cflags, warnings as errors" "$log/build-$variant"
+    return $status
 }
 
 # run NAME COMMAND...: a test program whose own lines count; a crash counts as a failure.
@@ -40,12 +42,17 @@ run() {
     shift
     "$@" >"$log/$name" 2>&1
     status=$?
-    grep -E '^(pass|FAIL) ' "$log/$name" | sed "s/^\(pass\|FAIL\) /\1 $name, /" >"$log/$name.verdicts"
+    grep -aE '^(pass|FAIL) ' "$log/$name" | sed "s/^\(pass\|FAIL\) /\1 $name, /" >"$log/$name.verdicts"
     if ! grep -q . "$log/$name.verdicts"; then
         { echo "FAIL $name: no verdict, exit status $status"; tail -n 5 "$log/$name"; } >>"$log/$name.verdicts"
-    elif [ $status != 0 ] && ! grep -q '^FAIL' "$log/$name.verdicts"; then
+    elif [ $status != 0 ] && ! grep -aq "^FAIL" "$log/$name.verdicts"; then
         { echo "FAIL $name: exit status $status after the last verdict"; tail -n 15 "$log/$name"; } >>"$log/$name.verdicts"
     fi
+}
+
+# show NAME...: the verdicts that run has found.
+show() {
+    for name in "$@"; do cat "$log/$name.verdicts"; done | tee -a "$log/verdicts"
 }
 
 # suite VARIANT: all test programs of a variant, two at a time, printed in order.
@@ -59,10 +66,11 @@ suite() {
         waiting=$!
     done
     wait
-    for t in $tests; do cat "$log/$variant-$t.verdicts"; done | tee -a "$log/verdicts"
+    # shellcheck disable=SC2046
+    show $(for t in $tests; do echo "$variant-$t"; done)
 }
 
-lines() { grep -E '^(pass|FAIL) ' | tee -a "$log/verdicts"; }
+lines() { grep -aE '^(pass|FAIL) ' | tee -a "$log/verdicts"; }
 
 say "public headers alone"
 for h in firmware/lambent.h port/fill.h; do
@@ -74,16 +82,15 @@ for h in firmware/lambent.h port/fill.h; do
 done
 
 say "gcc -O2"
-build gcc gcc "" "" tests tools demo
-suite gcc
+build gcc gcc "" "" tests tools models demo report_tools && suite gcc
 run lmb-mesh hosttest/test_obj.sh "$build/gcc/bin/lmb-mesh" gcc
-cat "$log/lmb-mesh.verdicts" | tee -a "$log/verdicts"
+show lmb-mesh
 run lmb-render hosttest/test_render.sh "$build/gcc/bin/lmb-render"
-cat "$log/lmb-render.verdicts" | tee -a "$log/verdicts"
+show lmb-render
 
 say "README example"
 run readme hosttest/test_readme.sh "$build/gcc" gcc
-cat "$log/readme.verdicts" | tee -a "$log/verdicts"
+show readme
 
 say "tables"
 $MAKE -s B="$build/gcc" CC=gcc check-tables 2>&1 | lines
@@ -92,7 +99,7 @@ say "clang, and identical frames at every optimisation"
 build clang clang "" "" tests demo
 run clang-test_arc "$build/clang/bin/test_arc"
 run clang-test_raster "$build/clang/bin/test_raster" 2
-cat "$log/clang-test_arc.verdicts" "$log/clang-test_raster.verdicts" | tee -a "$log/verdicts"
+show clang-test_arc clang-test_raster
 for o in O0 Os O3; do build gcc-$o gcc "-$o" "" demo; done
 build clang-O3 clang "-O3" "" demo
 for v in clang gcc-O0 gcc-Os gcc-O3 clang-O3; do
@@ -101,15 +108,15 @@ for v in clang gcc-O0 gcc-Os gcc-O3 clang-O3; do
 done
 
 say "checked arithmetic"
-build checked gcc "-DLMB_CHECKED" "" tests
-suite checked
+build checked gcc "-DLMB_CHECKED" "" tests && suite checked
 
 say "AddressSanitizer and UndefinedBehaviorSanitizer"
-build sanitized gcc "-O1 -fsanitize=address,undefined -fno-sanitize-recover=all" "-fsanitize=address,undefined" tests tools
-suite sanitized
-run sanitized-lmb-mesh hosttest/test_obj.sh "$build/sanitized/bin/lmb-mesh" gcc
-run sanitized-lmb-render hosttest/test_render.sh "$build/sanitized/bin/lmb-render"
-cat "$log/sanitized-lmb-mesh.verdicts" "$log/sanitized-lmb-render.verdicts" | tee -a "$log/verdicts"
+if build sanitized gcc "-O1 -fsanitize=address,undefined -fno-sanitize-recover=all" "-fsanitize=address,undefined" tests tools; then
+    suite sanitized
+    run sanitized-lmb-mesh hosttest/test_obj.sh "$build/sanitized/bin/lmb-mesh" gcc
+    run sanitized-lmb-render hosttest/test_render.sh "$build/sanitized/bin/lmb-render"
+    show sanitized-lmb-mesh sanitized-lmb-render
+fi
 
 say "no division, no square root, no float"
 hosttest/gate.sh host "" "$build/gcc/liblambent.a" 2>&1 | lines
@@ -128,9 +135,17 @@ say "size"
 hosttest/size.sh "$build/size" | tee "$log/size" | grep -v '^pass\|^FAIL'
 lines <"$log/size"
 
-passed=$(grep -c '^pass ' "$log/verdicts")
-failed=$(grep -c '^FAIL ' "$log/verdicts")
+say "reports and the README's figures"
+mkdir -p "$build/report"
+for t in lobe arc span image; do
+    "$build/gcc/bin/report_$t" >"$build/report/$t.csv" 2>"$log/report"
+    verdict $? "report" "$t.csv, $(wc -l <"$build/report/$t.csv") lines" "$log/report"
+done
+hosttest/figures.sh "$build/report" "$log/size" --check 2>&1 | lines
+
+passed=$(grep -ac '^pass ' "$log/verdicts")
+failed=$(grep -ac '^FAIL ' "$log/verdicts")
 say "done"
-if [ "$failed" != 0 ]; then grep '^FAIL ' "$log/verdicts"; fi
+if [ "$failed" != 0 ]; then grep -a '^FAIL ' "$log/verdicts"; fi
 echo "$passed passed, $failed failed"
 [ "$failed" = 0 ] && [ "$passed" != 0 ]

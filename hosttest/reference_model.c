@@ -107,7 +107,7 @@ static void blend(const shaded *m, const double l[3], ref_terms *out)
 static double cross_edge(const corner *a, const corner *b, int y, ref_vec *normal)
 {
     double t = (double)(16 * (int64_t)y + 8 - a->y) / (double)(b->y - a->y);
-    *normal = ref_slerp(a->normal, b->normal, t);
+    *normal = ref_unit(ref_slerp(a->normal, b->normal, t));
     return (double)a->x + t * (double)(b->x - a->x);
 }
 

@@ -143,8 +143,8 @@ static ALWAYS_INLINE void lit_run(const lmb_look *look, const lmb_paint *paint, 
 static void light_pixel(uint32_t sum[3], const lmb_look *look, const lmb_paint *paint, const lmb_span *span, const lmb_term *diffuse,
                         const lmb_term *specular, unsigned i)
 {
-    if (span->diffuse_on >> i & 1u) add_light(sum, paint->light[i].diffuse, intensity(diffuse->f));
-    if (span->specular_on >> i & 1u) {
+    if (lmb_bit(span->diffuse_on, i)) add_light(sum, paint->light[i].diffuse, intensity(diffuse->f));
+    if (lmb_bit(span->specular_on, i)) {
         if (look->model != LMB_MODEL_GLOSS) {
             add_light(sum, paint->light[i].specular, intensity(specular->f));
         } else {
@@ -225,8 +225,8 @@ static void general_run(const lmb_surface *surface, const lmb_look *look, const 
             store_as(surface, pixel, sum);
         }
         for (i = 0; i < look->lights; i++) {
-            if (span->diffuse_on >> i & 1u) terms_step(span, &diffuse[i]);
-            if (span->specular_on >> i & 1u) terms_step(span, &specular[i]);
+            if (lmb_bit(span->diffuse_on, i)) terms_step(span, &diffuse[i]);
+            if (lmb_bit(span->specular_on, i)) terms_step(span, &specular[i]);
         }
     }
 }
