@@ -92,6 +92,10 @@ say "README example"
 run readme hosttest/test_readme.sh "$build/gcc" gcc
 show readme
 
+say "configurations"
+run configurations hosttest/test_configs.sh "$build/gcc" gcc
+show configurations
+
 say "tables"
 $MAKE -s B="$build/gcc" CC=gcc check-tables 2>&1 | lines
 
