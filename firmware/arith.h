@@ -28,6 +28,19 @@ extern "C" {
 LMB_STATIC_ASSERT((-5 >> 1) == -3); /* shifts right are arithmetic */
 LMB_STATIC_ASSERT((-1 & 3) == 3);   /* two's complement */
 
+/* 1 where a product of 64 bits is an instruction or two, 0 where it would be a call. Results are the same. */
+#ifndef LMB_LONG_PRODUCTS
+#if defined(__AVR__) || (defined(__arm__) && (defined(__ARM_ARCH_6M__) || defined(__ARM_ARCH_8M_BASE__)))
+#define LMB_LONG_PRODUCTS 0
+#else
+#define LMB_LONG_PRODUCTS 1
+#endif
+#endif
+
+/* Kept out of line (wide.c), where cores with small instruction sets would take a hundred bytes for each copy. */
+unsigned lmb_clz32_search(uint32_t x);
+int64_t lmb_mul_wide(int32_t a, int32_t b);
+
 /* Number of leading zero bits of x in 32; 32 for x = 0. Cores without a CLZ instruction take a binary search in five steps,
  * so that no library helper with a table is linked. */
 static inline unsigned lmb_clz32(uint32_t x)
@@ -36,13 +49,7 @@ static inline unsigned lmb_clz32(uint32_t x)
     !defined(__XTENSA__)
     return x ? (unsigned)__builtin_clz(x) : 32u;
 #else
-    unsigned n = 32;
-    if (x >> 16) { n -= 16; x >>= 16; }
-    if (x >> 8) { n -= 8; x >>= 8; }
-    if (x >> 4) { n -= 4; x >>= 4; }
-    if (x >> 2) { n -= 2; x >>= 2; }
-    if (x >> 1) { return n - 2; }
-    return n - (unsigned)x;
+    return lmb_clz32_search(x);
 #endif
 }
 
@@ -123,7 +130,10 @@ static inline int32_t lmb_mul_q15(int32_t a, int32_t b)
 }
 
 /* Whether a * b < c * d, of the whole 64-bit products. */
-static inline bool lmb_product_less(int32_t a, int32_t b, int32_t c, int32_t d) { return (int64_t)a * b < (int64_t)c * d; }
+static inline bool lmb_product_less(int32_t a, int32_t b, int32_t c, int32_t d)
+{
+    return lmb_mul_wide(a, b) < lmb_mul_wide(c, d);
+}
 
 #else /* the checked twin */
 

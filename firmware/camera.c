@@ -21,8 +21,8 @@ int lmb_camera_orthographic(lmb_camera *camera, int width, int height, int32_t f
 {
     unsigned shift;
     int error = camera_begin(camera, width, height, focal_q16, near_q16, far_q16);
-    if (error) return error;
     camera->perspective = false;
+    if (error || !LMB_WITH_DEPTH) return error;
     /* depth = (w - near) / (far - near): gain / 2^(30 + shift) */
     camera->depth_gain = lmb_reciprocal((uint32_t)lmb_sub(far_q16, near_q16), &shift) >> 1;
     camera->depth_shift = (uint8_t)shift;
@@ -43,15 +43,15 @@ int lmb_camera_perspective(lmb_camera *camera, int width, int height, int32_t fo
     return LMB_OK;
 }
 
-/* centre + value * focal / 2^shift in Q28.4, rounded; far off screen it saturates beyond LMB_SCREEN_MAX. */
+/* centre + value * focal / 2^shift in Q28.4, rounded; far off screen some value beyond LMB_SCREEN_MAX, as twice saturates. */
 static int32_t to_screen(int32_t centre, int32_t value, int32_t focal, unsigned shift)
 {
     int32_t twice = lmb_mul_shr_sat(value, focal, shift - 1);
-    return lmb_add(centre, lmb_shr(lmb_add(lmb_max(lmb_min(twice, 1 << 24), -(1 << 24)), 1), 1));
+    return lmb_add(centre, lmb_add(lmb_shr(twice, 1), twice & 1));
 }
-LMB_STATIC_ASSERT((1 << 23) - 32767 * 8L > LMB_SCREEN_MAX);
+LMB_STATIC_ASSERT((1L << 30) - 32767 * 8L > LMB_SCREEN_MAX);
 
-static bool on_screen(int32_t q4) { return q4 >= -LMB_SCREEN_MAX && q4 <= LMB_SCREEN_MAX; }
+static bool on_screen(int32_t q4) { return (uint32_t)q4 + (uint32_t)LMB_SCREEN_MAX <= 2 * (uint32_t)LMB_SCREEN_MAX; }
 
 #define RAISE_MAX 22 /* log2(w) + 12 more stay below 64 */
 
@@ -88,6 +88,6 @@ bool lmb_project(const lmb_camera *camera, lmb_point p, lmb_vertex *vertex)
     if (!on_screen(x) || !on_screen(y)) return false;
     vertex->x = x;
     vertex->y = y;
-    vertex->depth = depth_at(camera, w, near_w_q16);
+    vertex->depth = LMB_WITH_DEPTH ? depth_at(camera, w, near_w_q16) : 0;
     return true;
 }

@@ -8,8 +8,8 @@
 /* The first row whose pixel centres lie at y or below, y in Q28.4. */
 static inline int32_t lmb_row_at(int32_t y) { return lmb_shr(lmb_add(y, 7), 4); }
 
-/* Sets an edge from (x0, y0) down to (x1, y1), y0 < y1, Q28.4, and places it on row, lmb_row_at(y0) <= row < lmb_row_at(y1). */
-void lmb_edge_begin(lmb_edge *edge, int32_t x0, int32_t y0, int32_t x1, int32_t y1, int32_t row);
+/* Sets an edge from top down to bottom, top->y < bottom->y, and places it on row, lmb_row_at(top->y) <= row < lmb_row_at(bottom->y). */
+void lmb_edge_begin(lmb_edge *edge, const lmb_vertex *top, const lmb_vertex *bottom, int32_t row);
 
 /* One row down. */
 static inline void lmb_edge_step(lmb_edge *edge)

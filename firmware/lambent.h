@@ -78,12 +78,15 @@ LMB_STATIC_ASSERT(LMB_LIGHTS >= 1 && LMB_LIGHTS <= 4);
 #define LMB_WITH_PERSPECTIVE 1 /* perspective cameras, and clipping at the near plane and beyond LMB_SCREEN_MAX */
 #endif
 #ifndef LMB_WITH_DEPTH
-#define LMB_WITH_DEPTH 1 /* depth of spans */
+#define LMB_WITH_DEPTH 1 /* depth of corners and spans; without, corners have depth 0 */
+#endif
+#ifndef LMB_WITH_LOBES
+#define LMB_WITH_LOBES 1 /* W_m of paper 000, and lobes of fewer multiplications; without, every tolerance counts as 0 */
 #endif
 #ifndef LMB_WITH_LARGE
 #define LMB_WITH_LARGE 1 /* full accuracy for triangles over 512 pixels; without, they lie on a grid of 2^-13 of their extent */
 #endif
-LMB_STATIC_ASSERT((LMB_WITH_LARGE | LMB_WITH_ARC | LMB_WITH_CORNERS | LMB_WITH_PERSPECTIVE | LMB_WITH_DEPTH | 1) == 1);
+LMB_STATIC_ASSERT((LMB_WITH_LOBES | LMB_WITH_LARGE | LMB_WITH_ARC | LMB_WITH_CORNERS | LMB_WITH_PERSPECTIVE | LMB_WITH_DEPTH | 1) == 1);
 
 enum lmb_error {
     LMB_OK = 0,
@@ -232,6 +235,9 @@ typedef struct lmb_look {
     } light[LMB_LIGHTS];
 } lmb_look;
 
+/* How many lights a look has: a constant where there can be but one. */
+static inline unsigned lmb_look_lights(const lmb_look *look) { return LMB_LIGHTS == 1 ? 1u : look->lights; }
+
 /* Prepares a look: folds material and lights together, builds the half vectors, prepares the tuned lobe.
  *   return  0; LMB_ERROR_VALUE for a shininess, model or step out of range or a direction that is not a unit vector (5 %);
  *           LMB_ERROR_LIGHTS for none or more than LMB_LIGHTS */
@@ -371,23 +377,23 @@ typedef struct lmb_edge_arc {
     bool straight; /* beyond LMB_ARC_U_MAX, or close to it */
 } lmb_edge_arc;
 
-/* A quadratic over the triangle at the reference column of the current row, in wrapping Q2.30: value, its first differences
- * and its second differences. */
+/* A quadratic over the triangle in wrapping Q2.30, at the triangle's anchor: value, its first differences and its second
+ * differences. */
 typedef struct lmb_plane {
     int32_t f, dx, dy, dxx, dxy, dyy;
 } lmb_plane;
 
 /* A triangle on its way into spans. Fields may change without notice. */
 typedef struct lmb_triangle {
+    uint8_t kind, diffuse_on, specular_on, exponent[LMB_LIGHTS];
+    bool long_right; /* the edge from top to bottom is the right one */
     const lmb_look *look;
     const lmb_rays *rays;
-    lmb_window window;
     const lmb_vertex *corner[3]; /* top, middle, bottom */
-    lmb_edge left, right;
+    int32_t window_left, window_right;
     int32_t y, y_switch, y_end; /* next row, first row below the middle corner, first row below the triangle */
-    bool long_left;             /* the edge from top to bottom is the left one */
-    uint8_t diffuse_on, specular_on, exponent[LMB_LIGHTS], kind;
-    int32_t column; /* reference column of the planes */
+    int32_t column, row;        /* the anchor of the planes */
+    lmb_edge edge[2];           /* left, right */
     lmb_plane depth;
     union {
         struct {
@@ -477,7 +483,7 @@ typedef struct lmb_walk {
     const lmb_look *look;
     const lmb_vertex *vertices;
     const uint16_t *order;
-    lmb_window window;
+    const lmb_window *window;
     lmb_rays rays;
     uint32_t next;               /* triangle */
     uint8_t corners, fan;        /* of the clipped polygon that is being handed out */

@@ -10,18 +10,23 @@
  * plain one is better. With three multiplications the same holds from n = 28 on. */
 #include "lambent.h"
 
-/* Shininess served, form, and where in lobe_curves its numbers start: four constants for one n, three cubics for a range. */
+/* Up to which shininess a row serves, its form, and where in its table its numbers start: four constants, or three cubics. */
 typedef struct lobe_row {
-    uint16_t first, last;
-    uint8_t form, curves;
+    uint16_t last;
+    uint8_t form, start;
 } lobe_row;
 
-/* form: the number of multiplications, and this. */
-#define CROSSED 0x80u
+/* One of fewer multiplications than the most accurate, and from which shininess on it serves. */
+typedef struct cheap_row {
+    uint8_t first;
+    lobe_row row;
+} cheap_row;
+
+/* form: the number of multiplications, and these. */
+#define CROSSED 0x80
+#define CUBIC 0x40
 
 #include "../tables/lobe_table.h"
-
-#define LOBE_ROWS (sizeof lobe_rows / sizeof *lobe_rows)
 
 /* What the table says of a lobe: alpha, slope * 2^multiplications / n, and the floor in Q2.14; the error bound in UQ0.16. */
 typedef struct lobe_constants {
@@ -36,11 +41,11 @@ static int32_t curve_at(const int16_t *c, int32_t y_q14)
     return sum;
 }
 
-static lobe_constants row_constants(const lobe_row *row, unsigned n)
+static lobe_constants row_constants(const lobe_row *row, const int16_t *numbers, unsigned n)
 {
-    const int16_t *c = &lobe_curves[row->curves];
+    const int16_t *c = numbers + row->start;
     lobe_constants k = {c[0], c[1], c[3], c[2]};
-    if (row->first != row->last) {
+    if (row->form & CUBIC) {
         unsigned shift, m = row->form & 7u;
         uint32_t reciprocal = lmb_reciprocal(n, &shift); /* 2^(31 + shift) / n */
         /* 2^m / n to nearest: it is never within 2^-11 of a tie, so that the reciprocal's error cannot show. */
@@ -73,7 +78,7 @@ static void lobe_set(lmb_lobe *lobe, unsigned n, unsigned form, const lobe_const
     uint32_t last = (uint32_t)k->alpha * 4 - 1;       /* the largest s below alpha, UQ16.16 */
     unsigned zeros = lmb_clz32(slope);
     lobe->multiplications = (uint8_t)(form & 7u);
-    lobe->crossed = form >= CROSSED;
+    lobe->crossed = (form & CROSSED) != 0;
     lobe->alpha_q30 = lmb_shl(k->alpha, 16);
     /* The largest lift with which last * last + lift is still under one. */
     lobe->lift = lobe->crossed ? crossed_lift(last, lobe->multiplications) : lmb_signed(~(last * last));
@@ -84,25 +89,34 @@ static void lobe_set(lmb_lobe *lobe, unsigned n, unsigned form, const lobe_const
     lobe->error_uq16 = (uint16_t)k->error;
 }
 
+/* The lobe of fewest multiplications that promises tolerance; false if there is none but the most accurate. */
+static bool set_cheap(lmb_lobe *lobe, unsigned n, uint16_t tolerance)
+{
+    const cheap_row *cheap = cheap_rows, *end = cheap_rows + sizeof cheap_rows / sizeof *cheap_rows;
+    for (; cheap != end; cheap++) {
+        lobe_constants k;
+        if (n < cheap->first || n > cheap->row.last) continue;
+        k = row_constants(&cheap->row, cheap_numbers, n);
+        if (k.error > tolerance) continue;
+        lobe_set(lobe, n, cheap->row.form, &k);
+        return true;
+    }
+    return false;
+}
+
 int lmb_lobe_prepare(lmb_lobe *lobe, enum lmb_lobe_kind kind, unsigned n, uint16_t tolerance)
 {
     static const lobe_constants published = {16384, 16384, 0, 65535};
-    const lobe_row *row, *end = lobe_rows + LOBE_ROWS;
-    int32_t best = 65536; /* above any tolerance, so that the first row always serves */
-    if (n < 1 || n > LMB_SHININESS_MAX || (unsigned)kind > LMB_LOBE_W16) return LMB_ERROR_VALUE;
+    const unsigned last_kind = LMB_WITH_LOBES ? LMB_LOBE_W16 : LMB_LOBE_TUNED;
+    if (n < 1 || n > LMB_SHININESS_MAX || (unsigned)kind > last_kind) return LMB_ERROR_VALUE;
     if (kind != LMB_LOBE_TUNED) {
         lobe_set(lobe, n, (unsigned)kind, &published);
-        return LMB_OK;
-    }
-    /* Rows come in the order of their cost. */
-    for (row = lobe_rows; row != end && best > tolerance; row++) {
+    } else if (!LMB_WITH_LOBES || !set_cheap(lobe, n, tolerance)) {
+        const lobe_row *row = lobe_rows;
         lobe_constants k;
-        if (n < row->first || n > row->last) continue;
-        k = row_constants(row, n);
-        if (k.error < best) {
-            best = k.error;
-            lobe_set(lobe, n, row->form, &k);
-        }
+        while (row->last < n) row++;
+        k = row_constants(row, lobe_numbers, n);
+        lobe_set(lobe, n, row->form, &k);
     }
     return LMB_OK;
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Meshes into triangles: pose, projection, the walk over what may be seen, and painter's order. */
 #include "clip.h"
+#include "vec.h"
 
 #define NOT_ON_SCREEN INT32_MIN /* x of a corner that must be clipped */
 
@@ -9,11 +10,12 @@ lmb_point lmb_mesh_place(const lmb_mesh *mesh, const lmb_pose *pose, uint32_t i)
     int32_t turned[3];
     /* Q.14 in mesh units to Q16.16 in units: times 2^(scale + 2), and scale <= -2 */
     unsigned down = (unsigned)-(mesh->scale + 2);
+    int32_t half = lmb_shr(lmb_shl(1, down), 1);
     lmb_point p;
-    lmb_rotate_wide(&pose->rotation, mesh->positions[i], turned);
-    p.x = lmb_add(pose->x, down ? lmb_shr_round(turned[0], down) : turned[0]);
-    p.y = lmb_add(pose->y, down ? lmb_shr_round(turned[1], down) : turned[1]);
-    p.z = lmb_add(pose->z, down ? lmb_shr_round(turned[2], down) : turned[2]);
+    lmb_vec_rotate_wide(&pose->rotation, &mesh->positions[i], turned);
+    p.x = lmb_add(pose->x, lmb_shr(lmb_add(turned[0], half), down));
+    p.y = lmb_add(pose->y, lmb_shr(lmb_add(turned[1], half), down));
+    p.z = lmb_add(pose->z, lmb_shr(lmb_add(turned[2], half), down));
     return p;
 }
 
@@ -21,7 +23,7 @@ static bool beyond_guard(int32_t q4) { return q4 > LMB_GUARD_NEAR * 16L || q4 < 
 
 static void project(const lmb_mesh *mesh, const lmb_pose *pose, const lmb_camera *camera, uint32_t i, lmb_vertex *vertex)
 {
-    vertex->normal = mesh->normals[i];
+    lmb_vec_copy(&vertex->normal, &mesh->normals[i]);
     if (!lmb_project(camera, lmb_mesh_place(mesh, pose, i), vertex) ||
         (LMB_WITH_PERSPECTIVE && (beyond_guard(lmb_sub(vertex->x, camera->x)) || beyond_guard(lmb_sub(vertex->y, camera->y))))) {
         vertex->x = NOT_ON_SCREEN;
@@ -43,7 +45,7 @@ void lmb_mesh_begin(lmb_walk *walk, const lmb_mesh *mesh, const lmb_pose *pose, 
     walk->look = look;
     walk->vertices = vertices;
     walk->order = order;
-    walk->window = *window;
+    walk->window = window;
     walk->next = 0;
     walk->corners = walk->fan = 0;
     lmb_rays_prepare(&walk->rays, look, &pose->rotation);
@@ -106,7 +108,7 @@ bool lmb_mesh_next(lmb_walk *walk, lmb_triangle *triangle)
         while (LMB_WITH_PERSPECTIVE && walk->fan + 1 < walk->corners) {
             unsigned k = walk->fan++;
             if (lmb_triangle_begin(triangle, walk->look, &walk->rays, &walk->polygon[0], &walk->polygon[k], &walk->polygon[k + 1],
-                                   &walk->window)) {
+                                   walk->window)) {
                 return true;
             }
         }
@@ -115,15 +117,20 @@ bool lmb_mesh_next(lmb_walk *walk, lmb_triangle *triangle)
         walk->next++;
         walk->corners = 0;
         for (i = 0; i < 3; i++) {
-            if (!walk->vertices) project(walk->mesh, walk->pose, walk->camera, index[i], &walk->polygon[i]);
-            corner[i] = walk->vertices ? &walk->vertices[index[i]] : &walk->polygon[i];
+            corner[i] = &walk->polygon[i];
+            if (walk->vertices) {
+                corner[i] = &walk->vertices[index[i]];
+            } else {
+                project(walk->mesh, walk->pose, walk->camera, index[i], &walk->polygon[i]);
+            }
         }
-        if (corner[0]->x == NOT_ON_SCREEN || corner[1]->x == NOT_ON_SCREEN || corner[2]->x == NOT_ON_SCREEN) {
-            if (LMB_WITH_PERSPECTIVE) clip(walk, index);
+        /* without clipping, lmb_triangle_begin drops it */
+        if (LMB_WITH_PERSPECTIVE && (corner[0]->x == NOT_ON_SCREEN || corner[1]->x == NOT_ON_SCREEN || corner[2]->x == NOT_ON_SCREEN)) {
+            clip(walk, index);
             continue;
         }
         if (LMB_WITH_CORNERS && walk->look->model == LMB_MODEL_FLAT) flatten(walk, index, corner);
-        if (lmb_triangle_begin(triangle, walk->look, &walk->rays, corner[0], corner[1], corner[2], &walk->window)) {
+        if (lmb_triangle_begin(triangle, walk->look, &walk->rays, corner[0], corner[1], corner[2], walk->window)) {
             return true;
         }
     }
@@ -137,7 +144,7 @@ static int16_t nearness(const lmb_mesh *mesh, const lmb_pose *pose, uint32_t tri
     int i;
     for (i = 0; i < 3; i++) {
         int32_t turned[3];
-        lmb_rotate_wide(&pose->rotation, mesh->positions[index[i]], turned);
+        lmb_vec_rotate_wide(&pose->rotation, &mesh->positions[index[i]], turned);
         sum = lmb_add(sum, lmb_shr(turned[2], 2));
     }
     return (int16_t)lmb_shr(sum, 15); /* |turned| < 2^30, |sum| < 3 * 2^28 < 2^30 */

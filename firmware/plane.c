@@ -29,8 +29,22 @@
 #define CURVATURE_BITS 14
 #define HEIGHT_BITS 12   /* triangles some 4096 times longer than high have no curve: there its rounding would exceed it */
 
-static unsigned bits_of(uint32_t x) { return 32u - lmb_clz32(x); }
-static uint32_t magnitude(int32_t x) { return x < 0 ? 0u - (uint32_t)x : (uint32_t)x; }
+/* Bits of the largest magnitude. */
+static unsigned bits_of(const int32_t *values, unsigned count)
+{
+    uint32_t all = 0;
+    unsigned i;
+    for (i = 0; i < count; i++) all |= (uint32_t)(values[i] < 0 ? -values[i] : values[i]);
+    return 32u - lmb_clz32(all);
+}
+
+/* Shifts values down so that they lie within 2^bits; returns how far. */
+static unsigned fit(int32_t *values, unsigned count, unsigned bits)
+{
+    unsigned size = bits_of(values, count), drop = size > bits ? size - bits : 0, i;
+    for (i = 0; i < count; i++) values[i] = lmb_shr(values[i], drop);
+    return drop;
+}
 
 /* (high * 2^16 + low) / 2^shift, floored, modulo 2^32. */
 static int32_t join(int32_t high, int32_t low, int32_t shift)
@@ -52,14 +66,13 @@ static int32_t over_area(int32_t numerator, const lmb_lattice *lattice, int32_t 
     return join(lmb_add_wrap(high, (int32_t)(low >> 16)), (int32_t)(low & 0xffffu), shift);
 }
 
-static unsigned pair_bits(const int32_t v[2]) { return bits_of(magnitude(v[0]) | magnitude(v[1])); }
-
-/* Form i: products of two pairs of numerators, shifted down where they are long, so that each stays under 2^30. */
-static void form_set(lmb_lattice *l, unsigned i, const int32_t u[2], const int32_t v[2])
+/* Form i: products of two pairs of numerators, which stand for themselves times 2^shift in all; shifted down where they are long, so
+ * that each stays under 2^30. */
+static void form_set(lmb_lattice *l, unsigned i, const int32_t u[2], const int32_t v[2], unsigned shift)
 {
     int32_t *form = l->form[i];
-    unsigned size = LMB_WITH_LARGE && l->large ? pair_bits(u) + pair_bits(v) : 0, down = size > 30 ? size - 30 : 0;
-    l->form_shift[i] = down;
+    unsigned size = LMB_WITH_LARGE && l->large ? bits_of(u, 2) + bits_of(v, 2) : 0, down = size > 30 ? size - 30 : 0;
+    l->form_shift[i] = shift + down;
     if (LMB_WITH_LARGE && down > 0) {
         form[0] = lmb_mul_shr(u[0], v[0], down);
         form[1] = lmb_mul_shr(u[1], v[1], down);
@@ -71,106 +84,84 @@ static void form_set(lmb_lattice *l, unsigned i, const int32_t u[2], const int32
     }
 }
 
-/* The numerators half a pixel on in a direction: half of what lambda's square has for its first difference. */
-static void half_on(int32_t on[2], const int32_t at[2], const int32_t step[2], unsigned down)
-{
-    on[0] = lmb_add(at[0], lmb_shr(lmb_shl(step[0], 3), down));
-    on[1] = lmb_add(at[1], lmb_shr(lmb_shl(step[1], 3), down));
-}
-
 /* Numerators at the anchor, shifted down to 15 bits: the whole of lambda moves by that, at most 8 / area, in value and in differences
  * alike. Large: to 30 bits. Returns the shift. */
 static unsigned numerators_at(const lmb_lattice *l, int32_t at[2])
 {
-    unsigned size, down;
+    const int32_t *step = l->step, *offset = l->offset;
     if (LMB_WITH_LARGE && l->large) {
-        int64_t a = lmb_dot_wide(l->x[0], l->offset_x, l->y[0], l->offset_y);
-        int64_t b = lmb_dot_wide(l->x[1], l->offset_x, l->y[1], l->offset_y);
-        size = lmb_bits_wide(a, b);
-        down = size > 30 ? size - 30 : 0;
+        int64_t a = lmb_dot_wide(step[0], offset[0], step[2], offset[1]);
+        int64_t b = lmb_dot_wide(step[1], offset[0], step[3], offset[1]);
+        unsigned size = lmb_bits_wide(a, b), down = size > 30 ? size - 30 : 0;
         at[0] = (int32_t)(a >> down);
         at[1] = (int32_t)(b >> down);
         return down;
     }
-    at[0] = lmb_add(lmb_mul(l->x[0], l->offset_x), lmb_mul(l->y[0], l->offset_y));
-    at[1] = lmb_add(lmb_mul(l->x[1], l->offset_x), lmb_mul(l->y[1], l->offset_y));
-    size = pair_bits(at);
-    down = size > 15 ? size - 15 : 0;
-    at[0] = lmb_shr(at[0], down);
-    at[1] = lmb_shr(at[1], down);
-    return down;
+    at[0] = lmb_add(lmb_mul(step[0], offset[0]), lmb_mul(step[2], offset[1]));
+    at[1] = lmb_add(lmb_mul(step[1], offset[0]), lmb_mul(step[3], offset[1]));
+    return fit(at, 2, 15);
 }
 
-/* The products that quadratics need. Eight steps, half a pixel, are less than 2^16, so with at < 2^15 and steps < 2^13 sums of two
+/* The products that quadratics need: in each direction the first difference takes the numerators half a pixel on, which is half of
+ * what lambda's square has for it. Eight steps, half a pixel, are less than 2^16, so with at < 2^15 and steps < 2^13 sums of two
  * products stay under 2^31; of a large triangle products are shifted. */
 static void lattice_curve(lmb_lattice *l)
 {
     int32_t at[2], on[2];
-    unsigned down = numerators_at(l, at), i;
+    unsigned down = numerators_at(l, at), axis, i;
     l->square_q16 = lmb_mulu(l->reciprocal_q16, l->reciprocal_q16) >> 16;
-    form_set(l, 0, at, at);
-    half_on(on, at, l->x, down);
-    form_set(l, 1, on, l->x);
-    half_on(on, at, l->y, down);
-    form_set(l, 2, on, l->y);
-    form_set(l, 3, l->x, l->x);
-    form_set(l, 4, l->y, l->y);
-    form_set(l, 5, l->x, l->y);
-    l->form_shift[0] += 2 * down;
-    l->form_shift[1] += 5 + down;
-    l->form_shift[2] += 5 + down;
-    for (i = 3; i < 6; i++) l->form_shift[i] += 9;
+    form_set(l, 0, at, at, 2 * down);
+    for (axis = 0; axis < 2; axis++) {
+        const int32_t *step = &l->step[2 * axis];
+        for (i = 0; i < 2; i++) on[i] = lmb_add(at[i], lmb_shr(lmb_shl(step[i], 3), down));
+        form_set(l, 1 + axis, on, step, 5 + down);
+        form_set(l, 3 + axis, step, step, 9);
+    }
+    form_set(l, 5, &l->step[0], &l->step[2], 9);
 }
 
-/* The area, x[0] y[1] - x[1] y[0] with what x and y stand for, and its reciprocal as 16 bits; 1 for none or less. */
+/* The area, the cross product of the steps, and its reciprocal as 16 bits; 1 for none or less. */
 static void lattice_area(lmb_lattice *l)
 {
+    const int32_t *step = l->step;
     uint32_t area;
     unsigned down = 0;
     if (LMB_WITH_LARGE && l->large) {
-        int64_t wide = lmb_dot_wide(l->x[0], l->y[1], lmb_sub(0, l->x[1]), l->y[0]);
+        int64_t wide = lmb_dot_wide(step[0], step[3], lmb_sub(0, step[1]), step[2]);
         unsigned size = lmb_bits_wide(wide, 0);
         down = size > 32 ? size - 32 : 0;
         area = wide < 1 ? 1 : (uint32_t)(wide >> down);
     } else {
-        area = (uint32_t)lmb_max(1, lmb_sub(lmb_mul(l->x[0], l->y[1]), lmb_mul(l->x[1], l->y[0])));
+        area = (uint32_t)lmb_max(1, lmb_sub(lmb_mul(step[0], step[3]), lmb_mul(step[1], step[2])));
     }
     l->reciprocal_q16 = (uint32_t)lmb_min((int32_t)((lmb_reciprocal(area, &l->shift) + 0x4000u) >> 15), 65535);
     l->shift += down;
 }
 
-/* The pixel of corner 0; of a large triangle one from which nothing in the frame is far. */
-static int32_t anchor(const lmb_lattice *l, int32_t corner)
+/* The pixel of corner 0, and the way to its centre; of a large triangle a pixel from which nothing in the frame is far. */
+static int32_t anchor(bool large, int32_t corner, int32_t *offset)
 {
     int32_t pixel = lmb_shr(corner, 4);
-    return LMB_WITH_LARGE && l->large ? lmb_max(0, lmb_min(pixel, ANCHOR_MAX)) : pixel;
+    if (LMB_WITH_LARGE && large) pixel = lmb_max(0, lmb_min(pixel, ANCHOR_MAX));
+    *offset = lmb_sub(lmb_add(lmb_shl(pixel, 4), 8), corner);
+    return pixel;
 }
 
-void lmb_lattice_begin(lmb_lattice *l, const lmb_vertex *const corner[3], int32_t row, bool curved)
+void lmb_lattice_begin(lmb_lattice *l, const lmb_vertex *const corner[3], bool curved)
 {
-    int32_t x0 = corner[0]->x, y0 = corner[0]->y, anchor_row;
+    int32_t x0 = corner[0]->x, y0 = corner[0]->y;
     unsigned down = 0;
-    l->x[0] = lmb_sub(corner[2]->y, y0);
-    l->y[0] = lmb_sub(x0, corner[2]->x);
-    l->x[1] = lmb_sub(y0, corner[1]->y);
-    l->y[1] = lmb_sub(corner[1]->x, x0);
-    l->bits = bits_of(magnitude(l->x[0]) | magnitude(l->y[0]) | magnitude(l->x[1]) | magnitude(l->y[1]));
-    l->large = l->bits > NEAR_BITS;
-    if (!LMB_WITH_LARGE && l->large) { /* a coarser grid */
-        down = l->bits - NEAR_BITS;
-        l->x[0] = lmb_shr(l->x[0], down);
-        l->y[0] = lmb_shr(l->y[0], down);
-        l->x[1] = lmb_shr(l->x[1], down);
-        l->y[1] = lmb_shr(l->y[1], down);
-        l->bits = NEAR_BITS;
-    }
+    l->step[0] = lmb_sub(corner[2]->y, y0);
+    l->step[1] = lmb_sub(y0, corner[1]->y);
+    l->step[2] = lmb_sub(x0, corner[2]->x);
+    l->step[3] = lmb_sub(corner[1]->x, x0);
+    if (!LMB_WITH_LARGE) down = fit(l->step, 4, NEAR_BITS); /* a coarser grid */
+    l->bits = bits_of(l->step, 4);
+    l->large = LMB_WITH_LARGE && l->bits > NEAR_BITS;
     lattice_area(l);
     l->shift += down; /* p / 2^down over area / 4^down is p over area times 2^down */
-    anchor_row = anchor(l, y0);
-    l->column = anchor(l, x0);
-    l->rows = lmb_sub(row, anchor_row);
-    l->offset_x = lmb_sub(lmb_add(lmb_shl(l->column, 4), 8), x0);
-    l->offset_y = lmb_sub(lmb_add(lmb_shl(anchor_row, 4), 8), y0);
+    l->column = anchor(l->large, x0, &l->offset[0]);
+    l->row = anchor(l->large, y0, &l->offset[1]);
     l->curved = curved && l->shift + HEIGHT_BITS >= 2 * l->bits;
     if (l->curved) lattice_curve(l);
 }
@@ -198,18 +189,14 @@ static int32_t form_apply(const int32_t form[3], const int32_t q[3], int32_t shi
 static void plane_curve(lmb_plane *plane, const lmb_lattice *l, const lmb_net *net)
 {
     int32_t q[3], value[6], base;
-    unsigned size, drop;
     int i;
     q[0] = lmb_sub(0, net->bulge[0]);
     q[1] = lmb_sub(0, net->bulge[2]);
     q[2] = lmb_shr(lmb_sub(lmb_sub(net->bulge[1], net->bulge[0]), net->bulge[2]), 1);
     for (i = 0; i < 3; i++) q[i] = lmb_mul_q16(q[i], l->square_q16);
-    size = bits_of(magnitude(q[0]) | magnitude(q[1]) | magnitude(q[2]));
-    if (size == 0) return;
-    drop = size > CURVATURE_BITS ? size - CURVATURE_BITS : 0;
-    for (i = 0; i < 3 && drop > 0; i++) q[i] = lmb_shr(q[i], drop);
+    if (!(q[0] | q[1] | q[2])) return;
     /* Q2.30 of 4 * 2^-28 * q 2^(drop + 16) * 2^-(16 + 2 shift) times a form: over 2^base */
-    base = 2 * (int32_t)l->shift - 4 - (int32_t)drop;
+    base = 2 * (int32_t)l->shift - 4 - (int32_t)fit(q, 3, CURVATURE_BITS);
     for (i = 0; i < 6; i++) value[i] = form_apply(l->form[i], q, base - (int32_t)l->form_shift[i]);
     plane->f = lmb_add_wrap(plane->f, value[0]);
     plane->dx = lmb_add_wrap(plane->dx, value[1]);
@@ -219,66 +206,75 @@ static void plane_curve(lmb_plane *plane, const lmb_lattice *l, const lmb_net *n
     plane->dxy = value[5];
 }
 
-/* (nx offset_x + ny offset_y) / 2^(4 + *drop), below 2^31: what lies between corner 0 and the anchor. Within a pixel in 32 bits, where the
+/* n times the offset over 2^(4 + *drop), below 2^31: what lies between corner 0 and the anchor. Within a pixel in 32 bits, where the
  * low four bits of the numerators go apart. */
-static int32_t offset_of(const lmb_lattice *l, int32_t nx, int32_t ny, int32_t *drop)
+static int32_t offset_of(const lmb_lattice *l, const int32_t n[2], int32_t *drop)
 {
-    int32_t x = l->offset_x, y = l->offset_y;
-    *drop = 0;
-    if (LMB_WITH_LARGE && l->large) {
-        *drop = (int32_t)bits_of(magnitude(x) | magnitude(y)) - 3;
-        return lmb_add(lmb_mul_shr(nx, x, (unsigned)(4 + *drop)), lmb_mul_shr(ny, y, (unsigned)(4 + *drop)));
+    int32_t sum = 0;
+    unsigned i;
+    *drop = LMB_WITH_LARGE && l->large ? (int32_t)bits_of(l->offset, 2) - 3 : 0;
+    for (i = 0; i < 2; i++) {
+        int32_t offset = l->offset[i];
+        sum = lmb_add(sum, LMB_WITH_LARGE && l->large
+                               ? lmb_mul_shr(n[i], offset, (unsigned)(4 + *drop))
+                               : lmb_add(lmb_mul(lmb_shr(n[i], 4), offset), lmb_shr(lmb_mul(n[i] & 15, offset), 4)));
     }
-    nx = lmb_add(lmb_mul(lmb_shr(nx, 4), x), lmb_shr(lmb_mul(nx & 15, x), 4));
-    return lmb_add(nx, lmb_add(lmb_mul(lmb_shr(ny, 4), y), lmb_shr(lmb_mul(ny & 15, y), 4)));
+    return sum;
 }
 
-static void plane_descend(lmb_plane *plane, int32_t rows)
+/* Numerators of the gradient, rises times steps, in units of 2^-28 times 2^drop and below 2^31; returns drop. */
+static unsigned numerators(const lmb_lattice *l, int32_t rise[2], int32_t n[2])
 {
-    lmb_term down = lmb_term_move(plane->f, plane->dy, plane->dyy, rows);
-    plane->f = down.f;
-    plane->dy = down.d;
-    plane->dx = lmb_add_wrap(plane->dx, lmb_mul_wrap(rows, plane->dxy));
-}
-
-/* Numerators of the gradient, rises times edges, in units of 2^-28 times 2^drop and below 2^31; returns drop. */
-static unsigned numerators(const lmb_lattice *l, int32_t rise1, int32_t rise2, int32_t *nx, int32_t *ny)
-{
-    unsigned drop = 0, size;
+    const int32_t *step = l->step;
+    unsigned drop = 0, size, i;
     if (LMB_WITH_LARGE && l->large) {
-        int64_t x = lmb_dot_wide(rise1, l->x[0], rise2, l->x[1]), y = lmb_dot_wide(rise1, l->y[0], rise2, l->y[1]);
+        int64_t x = lmb_dot_wide(rise[0], step[0], rise[1], step[1]), y = lmb_dot_wide(rise[0], step[2], rise[1], step[3]);
         size = lmb_bits_wide(x, y);
         drop = size > 31 ? size - 31 : 0;
-        *nx = (int32_t)(x >> drop);
-        *ny = (int32_t)(y >> drop);
+        n[0] = (int32_t)(x >> drop);
+        n[1] = (int32_t)(y >> drop);
         return drop;
     }
-    size = bits_of(magnitude(rise1) | magnitude(rise2)) + l->bits;
+    size = bits_of(rise, 2) + l->bits;
     if (size > 30) {
         drop = size - 30;
-        rise1 = lmb_shr_round(rise1, drop);
-        rise2 = lmb_shr_round(rise2, drop);
+        for (i = 0; i < 2; i++) rise[i] = lmb_shr_round(rise[i], drop);
     }
-    *nx = lmb_add(lmb_mul(rise1, l->x[0]), lmb_mul(rise2, l->x[1]));
-    *ny = lmb_add(lmb_mul(rise1, l->y[0]), lmb_mul(rise2, l->y[1]));
+    n[0] = lmb_add(lmb_mul(rise[0], step[0]), lmb_mul(rise[1], step[1]));
+    n[1] = lmb_add(lmb_mul(rise[0], step[2]), lmb_mul(rise[1], step[3]));
     return drop;
 }
 
 void lmb_plane_begin(lmb_plane *plane, const lmb_lattice *l, const lmb_net *net)
 {
-    int32_t rise1 = lmb_sub(net->value[1], net->value[0]), rise2 = lmb_sub(net->value[2], net->value[0]);
-    int32_t nx, ny, offset, offset_drop, shift;
-    if (l->curved) {
-        rise1 = lmb_add(rise1, lmb_shl(net->bulge[0], 2));
-        rise2 = lmb_add(rise2, lmb_shl(net->bulge[2], 2));
+    int32_t rise[2], n[2], offset, offset_drop, shift;
+    unsigned i;
+    for (i = 0; i < 2; i++) {
+        rise[i] = lmb_sub(net->value[1 + i], net->value[0]);
+        if (l->curved) rise[i] = lmb_add(rise[i], lmb_shl(net->bulge[2 * i], 2));
     }
     /* per pixel and in Q2.30: numerator * 16 * reciprocal_q16 * 2^-(16 + shift) * 2^(30 - 28 + drop) */
-    shift = (int32_t)l->shift + 10 - (int32_t)numerators(l, rise1, rise2, &nx, &ny);
-    offset = offset_of(l, nx, ny, &offset_drop);
+    shift = (int32_t)l->shift + 10 - (int32_t)numerators(l, rise, n);
+    offset = offset_of(l, n, &offset_drop);
     plane->f = lmb_add_wrap(lmb_shl_wrap(net->value[0], 2), over_area(offset, l, shift - offset_drop));
-    plane->dx = over_area(nx, l, shift);
-    plane->dy = over_area(ny, l, shift);
+    plane->dx = over_area(n[0], l, shift);
+    plane->dy = over_area(n[1], l, shift);
     plane->dxx = plane->dxy = plane->dyy = 0;
     if (l->curved) plane_curve(plane, l, net);
-    plane_descend(plane, l->rows);
+}
+
+/* n (n - 1) is even and below 2^32, so its half is exact. */
+static int32_t pairs(int32_t n) { return lmb_signed(((uint32_t)n * ((uint32_t)n - 1u)) >> 1); }
+
+void lmb_plane_term(lmb_term *term, const lmb_plane *plane, int32_t columns, int32_t rows)
+{
+    int32_t f = lmb_add_wrap(plane->f, lmb_mul_wrap(rows, plane->dy)), d = plane->dx, c = plane->dxx;
+    if (c | plane->dxy | plane->dyy) {
+        f = lmb_add_wrap(f, lmb_mul_wrap(pairs(rows), plane->dyy));
+        f = lmb_add_wrap(f, lmb_mul_wrap(pairs(columns), c));
+        d = lmb_add_wrap(d, lmb_mul_wrap(rows, plane->dxy));
+    }
+    term->f = lmb_add_wrap(f, lmb_mul_wrap(columns, d));
+    term->d = lmb_add_wrap(d, lmb_mul_wrap(columns, c));
+    term->c = c;
 }

@@ -12,6 +12,7 @@
 #include "shade.h"
 
 #include "step.h"
+#include "vec.h"
 
 #define ONE_Q28 0x10000000
 
@@ -36,16 +37,13 @@ static int32_t times_q28(int32_t a, int32_t b_q28)
     return lmb_mul_q15(a, lmb_min(lmb_shr(b_q28, 13), 32767));
 }
 
-/* The corner after i, going round. */
-static unsigned after(unsigned i) { return i == 2 ? 0 : i + 1; }
-
-/* The bulges of a net from the bulge factors of its edges; mean - pull is what bulges. */
+/* The bulges of a net from the bulge factors of its edges; mean - pull is what bulges. Edge i goes from corner i to the next. */
 static void net_bulge(lmb_net *net, const int32_t factor[3], int32_t pull)
 {
-    unsigned i;
-    for (i = 0; i < 3; i++) {
-        int32_t mean = lmb_shr(lmb_add(net->value[i], net->value[after(i)]), 1);
-        net->bulge[i] = factor[i] ? times_q28(factor[i], lmb_sub(mean, pull)) : 0;
+    unsigned i = 2, next;
+    for (next = 0; next < 3; i = next++) {
+        int32_t mean = lmb_shr(lmb_add(net->value[i], net->value[next]), 1);
+        net->bulge[i] = times_q28(factor[i], lmb_sub(mean, pull));
     }
 }
 
@@ -53,17 +51,24 @@ static void net_bulge(lmb_net *net, const int32_t factor[3], int32_t pull)
 static int32_t net_high(const lmb_net *net)
 {
     int32_t high = INT32_MIN;
-    unsigned i;
-    for (i = 0; i < 3; i++) {
-        int32_t mean = lmb_shr(lmb_add(net->value[i], net->value[after(i)]), 1);
+    unsigned i = 2, next;
+    for (next = 0; next < 3; i = next++) {
+        int32_t mean = lmb_shr(lmb_add(net->value[i], net->value[next]), 1);
         high = lmb_max(high, lmb_max(net->value[i], lmb_add(mean, lmb_shl(net->bulge[i], 1))));
     }
     return high;
 }
 
-/* Turns a net of v into one of s / 2^exponent, s = alpha - slope v, with the exponent that keeps it inside (-2, 2); false if s is
- * where the lobe is zero all over. */
-static bool net_argument(lmb_net *net, const lmb_lobe *lobe, uint8_t *exponent)
+/* x times slope, UQ0.16, over 2^down. */
+static int32_t scaled(int32_t x, uint32_t slope_q16, int32_t down)
+{
+    int32_t product = lmb_mul_q16(x, slope_q16);
+    return down >= 0 ? lmb_shr(product, (unsigned)down) : lmb_shl(product, (unsigned)-down);
+}
+
+/* Turns a net of v into one of s / 2^exponent, s = alpha - slope v, with the exponent that keeps it inside (-2, 2). Returns the value
+ * up to which the lobe is zero. */
+static int32_t net_argument(lmb_net *net, const lmb_lobe *lobe, uint8_t *exponent)
 {
     /* slope v = product * 2^(slope_shift + 1) must stay under 2, 2^29 */
     int32_t up = lobe->slope_shift + 1, most = lmb_mul_q16(lmb_max(net_high(net), 0), lobe->slope), down, alpha;
@@ -71,25 +76,31 @@ static bool net_argument(lmb_net *net, const lmb_lobe *lobe, uint8_t *exponent)
     *exponent = (uint8_t)e;
     down = (int32_t)e - up;
     alpha = lmb_shr(lobe->alpha_q30, e + 2);
-    for (i = 0; i < 6; i++) {
-        int32_t *x = i < 3 ? &net->value[i] : &net->bulge[i - 3];
-        int32_t product = lmb_mul_q16(*x, lobe->slope);
-        product = down >= 0 ? lmb_shr(product, (unsigned)down) : lmb_shl(product, (unsigned)-down);
-        *x = lmb_sub(i < 3 ? alpha : 0, product);
+    for (i = 0; i < 3; i++) {
+        net->value[i] = lmb_sub(alpha, scaled(net->value[i], lobe->slope, down));
+        net->bulge[i] = lmb_sub(0, scaled(net->bulge[i], lobe->slope, down));
     }
-    return net_high(net) > lmb_shr(lmb_shl(lobe->floor_q15, 13), e);
+    return lmb_shr(lmb_shl(lobe->floor_q15, 13), e);
 }
 
-static void dots_q28(int32_t out[3], const lmb_vertex *const corner[3], lmb_vec ray)
+static void dots_q28(int32_t out[3], const lmb_vertex *const corner[3], const lmb_vec *ray)
 {
     unsigned i;
-    for (i = 0; i < 3; i++) out[i] = lmb_dot_q28(corner[i]->normal, ray);
+    for (i = 0; i < 3; i++) out[i] = lmb_vec_dot_q28(&corner[i]->normal, ray);
 }
 
-static void distances_q28(int32_t out[3], const lmb_vertex *const corner[3], lmb_vec ray)
+static void distances_q28(int32_t out[3], const lmb_vertex *const corner[3], const lmb_vec *ray)
 {
     unsigned i;
-    for (i = 0; i < 3; i++) out[i] = lmb_half_distance_q28(corner[i]->normal, ray);
+    for (i = 0; i < 3; i++) out[i] = lmb_vec_half_distance_q28(&corner[i]->normal, ray);
+}
+
+/* Begins a plane unless it stays at or below zero; returns bit i if it does not. */
+static uint8_t plane_begin(lmb_plane plane[], unsigned i, const lmb_lattice *lattice, const lmb_net *net, int32_t zero)
+{
+    if (net_high(net) <= zero) return 0;
+    lmb_plane_begin(&plane[i], lattice, net);
+    return (uint8_t)(1u << i);
 }
 
 /* Diffuse and gloss by linear or quadratic planes. */
@@ -97,24 +108,18 @@ static void shade_planes(lmb_triangle *t, const lmb_lattice *lattice, const lmb_
 {
     int32_t factor[3] = {0, 0, 0};
     lmb_net net;
-    unsigned i;
-    for (i = 0; i < 3 && lattice->curved; i++) {
-        factor[i] = bulge_factor_q28(lmb_half_distance_q28(corner[i]->normal, corner[after(i)]->normal));
+    unsigned i = 2, next;
+    for (next = 0; next < 3 && lattice->curved; i = next++) {
+        factor[i] = bulge_factor_q28(lmb_vec_half_distance_q28(&corner[i]->normal, &corner[next]->normal));
     }
-    for (i = 0; i < t->look->lights; i++) {
-        dots_q28(net.value, corner, t->rays->light[i].direction);
+    for (i = 0; i < lmb_look_lights(t->look); i++) {
+        dots_q28(net.value, corner, &t->rays->light[i].direction);
         net_bulge(&net, factor, 0);
-        if (net_high(&net) > 0) {
-            t->diffuse_on |= (uint8_t)(1u << i);
-            lmb_plane_begin(&t->u.plane.diffuse[i], lattice, &net);
-        }
+        t->diffuse_on |= plane_begin(t->u.plane.diffuse, i, lattice, &net, 0);
         if (!lmb_bit(t->look->specular_on, i)) continue;
-        distances_q28(net.value, corner, t->rays->light[i].half);
+        distances_q28(net.value, corner, &t->rays->light[i].half);
         net_bulge(&net, factor, ONE_Q28);
-        if (net_argument(&net, &t->look->lobe, &t->exponent[i])) {
-            t->specular_on |= (uint8_t)(1u << i);
-            lmb_plane_begin(&t->u.plane.specular[i], lattice, &net);
-        }
+        t->specular_on |= plane_begin(t->u.plane.specular, i, lattice, &net, net_argument(&net, &t->look->lobe, &t->exponent[i]));
     }
 }
 
@@ -129,20 +134,14 @@ static void shade_corners(lmb_triangle *t, const lmb_lattice *lattice, const lmb
 {
     lmb_net net = {{0, 0, 0}, {0, 0, 0}};
     unsigned i, k;
-    for (i = 0; i < t->look->lights; i++) {
-        dots_q28(net.value, corner, t->rays->light[i].direction);
+    for (i = 0; i < lmb_look_lights(t->look); i++) {
+        dots_q28(net.value, corner, &t->rays->light[i].direction);
         for (k = 0; k < 3; k++) net.value[k] = lmb_max(net.value[k], 0);
-        if (net_high(&net) > 0) {
-            t->diffuse_on |= (uint8_t)(1u << i);
-            lmb_plane_begin(&t->u.plane.diffuse[i], lattice, &net);
-        }
+        t->diffuse_on |= plane_begin(t->u.plane.diffuse, i, lattice, &net, 0);
         if (!lmb_bit(t->look->specular_on, i)) continue;
-        distances_q28(net.value, corner, t->rays->light[i].half);
+        distances_q28(net.value, corner, &t->rays->light[i].half);
         for (k = 0; k < 3; k++) net.value[k] = lobe_q28(&t->look->lobe, net.value[k]);
-        if (net_high(&net) > 0) {
-            t->specular_on |= (uint8_t)(1u << i);
-            lmb_plane_begin(&t->u.plane.specular[i], lattice, &net);
-        }
+        t->specular_on |= plane_begin(t->u.plane.specular, i, lattice, &net, 0);
     }
 }
 
@@ -152,7 +151,7 @@ static void shade_face(lmb_triangle *t, const lmb_vertex *const corner[3])
     const lmb_vec a = corner[0]->normal, b = corner[1]->normal, c = corner[2]->normal;
     lmb_vec n = lmb_normalise(lmb_add(lmb_add(a.x, b.x), c.x), lmb_add(lmb_add(a.y, b.y), c.y), lmb_add(lmb_add(a.z, b.z), c.z));
     unsigned i;
-    for (i = 0; i < t->look->lights; i++) {
+    for (i = 0; i < lmb_look_lights(t->look); i++) {
         int32_t value = lmb_dot_q28(n, t->rays->light[i].direction);
         if (value > 0) {
             t->diffuse_on |= (uint8_t)(1u << i);
@@ -193,7 +192,7 @@ void lmb_shade_arc(const lmb_triangle *t, lmb_span *span, lmb_vec from, lmb_vec 
     uint32_t scale_q16 = (uint32_t)lobe->slope >> (exponent - above);
     unsigned i;
     lmb_arc_between(&span->arc, from, to, length, start);
-    for (i = 0; i < t->look->lights; i++) {
+    for (i = 0; i < lmb_look_lights(t->look); i++) {
         lmb_arc_dot(&span->arc, &span->diffuse[i], from, to, t->rays->light[i].direction, 65536);
         if (!lmb_bit(t->specular_on, i)) continue;
         lmb_arc_dot(&span->arc, &span->specular[i], from, to, t->rays->light[i].half, scale_q16);

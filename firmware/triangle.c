@@ -11,10 +11,7 @@
 
 #define DEPTH_MARGIN 4 /* keeps a rounded depth inside 16 bits */
 
-static bool on_screen(const lmb_vertex *v)
-{
-    return v->x >= -LMB_SCREEN_MAX && v->x <= LMB_SCREEN_MAX && v->y >= -LMB_SCREEN_MAX && v->y <= LMB_SCREEN_MAX;
-}
+static bool on_screen(int32_t q4) { return (uint32_t)q4 + (uint32_t)LMB_SCREEN_MAX <= 2 * (uint32_t)LMB_SCREEN_MAX; }
 
 /* Top, middle, bottom. Returns whether an odd number of swaps was needed, which turns the corners' sense of rotation. */
 static bool sort_by_y(const lmb_vertex *corner[3])
@@ -32,12 +29,19 @@ static bool sort_by_y(const lmb_vertex *corner[3])
     return odd;
 }
 
-/* The least and the greatest first pixel of three columns; false if no pixel of the window can be inside. */
-static bool in_window(const lmb_triangle *t, const lmb_vertex *a, const lmb_vertex *b, const lmb_vertex *c)
+/* False if a corner lies beyond LMB_SCREEN_MAX or no column of the window can be inside. */
+static bool in_window(const lmb_vertex *const corner[3], const lmb_window *window)
 {
-    int32_t low = lmb_row_at(lmb_min(a->x, lmb_min(b->x, c->x))); /* columns round as rows do */
-    int32_t high = lmb_row_at(lmb_max(a->x, lmb_max(b->x, c->x)));
-    return t->y < t->y_end && low < high && high > t->window.left && low < t->window.right;
+    int32_t low = LMB_SCREEN_MAX, high = -LMB_SCREEN_MAX;
+    unsigned i;
+    for (i = 0; i < 3; i++) {
+        if (!on_screen(corner[i]->x) || !on_screen(corner[i]->y)) return false;
+        low = lmb_min(low, corner[i]->x);
+        high = lmb_max(high, corner[i]->x);
+    }
+    low = lmb_row_at(low); /* columns round as rows do */
+    high = lmb_row_at(high);
+    return low < high && high > window->left && low < window->right;
 }
 
 /* ----------------------------------------------------------------------------------------------------------------- arcs on edges */
@@ -101,13 +105,13 @@ static lmb_vec edge_arc_normal(const lmb_edge_arc *e)
 
 /* ----------------------------------------------------------------------------------------------------------------------- set-up */
 
-/* Walks one side from its upper corner; row is the first row to be shown. */
-static void side_begin(lmb_triangle *t, bool left, const lmb_vertex *top, const lmb_vertex *bottom, int32_t row)
+/* Walks a side, 0 the left one and 1 the right, from one of the sorted corners to another; the first row to be shown is t->y. */
+static void side_begin(lmb_triangle *t, unsigned side, unsigned from, unsigned to)
 {
-    lmb_edge *edge = left ? &t->left : &t->right;
-    lmb_edge_begin(edge, top->x, top->y, bottom->x, bottom->y, row);
+    const lmb_vertex *top = t->corner[from], *bottom = t->corner[to];
+    lmb_edge_begin(&t->edge[side], top, bottom, t->y);
     if (LMB_WITH_ARC && t->kind == LMB_SPAN_ARC) {
-        edge_arc_begin(left ? &t->u.arc.left : &t->u.arc.right, top, bottom, row, edge->modulus);
+        edge_arc_begin(side ? &t->u.arc.right : &t->u.arc.left, top, bottom, t->y, t->edge[side].modulus);
     }
 }
 
@@ -124,8 +128,9 @@ static void terms_begin(lmb_triangle *t, const lmb_vertex *const corner[3])
 {
     bool curved = t->look->step == LMB_STEP_QUADRATIC && t->look->model >= LMB_MODEL_DIFFUSE;
     lmb_lattice lattice;
-    lmb_lattice_begin(&lattice, corner, t->y, curved);
+    lmb_lattice_begin(&lattice, corner, curved);
     t->column = lattice.column;
+    t->row = lattice.row;
     lmb_shade_begin(t, &lattice, corner);
     if (LMB_WITH_DEPTH) depth_begin(t, &lattice, corner);
 }
@@ -133,34 +138,30 @@ static void terms_begin(lmb_triangle *t, const lmb_vertex *const corner[3])
 bool lmb_triangle_begin(lmb_triangle *t, const lmb_look *look, const lmb_rays *rays, const lmb_vertex *a, const lmb_vertex *b,
                         const lmb_vertex *c, const lmb_window *window)
 {
-    const lmb_vertex *clockwise[3];
-    if (!on_screen(a) || !on_screen(b) || !on_screen(c)) return false;
+    const lmb_vertex *const clockwise[3] = {a, c, b};
+    unsigned lower;
+    if (!in_window(clockwise, window)) return false;
     if (!lmb_product_less(lmb_sub(b->x, a->x), lmb_sub(c->y, a->y), lmb_sub(c->x, a->x), lmb_sub(b->y, a->y))) {
         return false; /* seen from behind, or a line */
     }
-    t->look = look;
-    t->rays = rays;
-    t->window = *window;
     t->corner[0] = a;
     t->corner[1] = b;
     t->corner[2] = c;
     /* counter-clockwise from the top the middle corner is left of the long edge, clockwise it is right of it */
-    t->long_left = sort_by_y(t->corner);
+    t->long_right = !sort_by_y(t->corner);
     t->y = lmb_max(lmb_row_at(t->corner[0]->y), window->top);
     t->y_switch = lmb_row_at(t->corner[1]->y);
     t->y_end = lmb_min(lmb_row_at(t->corner[2]->y), window->bottom);
-    if (!in_window(t, a, b, c)) return false;
-    clockwise[0] = a;
-    clockwise[1] = c;
-    clockwise[2] = b;
+    if (t->y >= t->y_end) return false;
+    t->look = look;
+    t->rays = rays;
+    t->window_left = window->left;
+    t->window_right = window->right;
     terms_begin(t, clockwise);
-    side_begin(t, t->long_left, t->corner[0], t->corner[2], t->y);
-    if (t->y < t->y_switch) {
-        side_begin(t, !t->long_left, t->corner[0], t->corner[1], t->y);
-    } else {
-        side_begin(t, !t->long_left, t->corner[1], t->corner[2], t->y);
-        t->y_switch = t->y_end; /* no change of sides to come */
-    }
+    side_begin(t, t->long_right, 0, 2);
+    lower = t->y >= t->y_switch;
+    side_begin(t, !t->long_right, lower, lower + 1);
+    if (lower) t->y_switch = t->y_end; /* no change of sides to come */
     return true;
 }
 
@@ -177,12 +178,12 @@ static uint32_t behind(const lmb_edge *edge, const lmb_edge_arc *e)
 
 static void arc_span(const lmb_triangle *t, lmb_span *span, int32_t hidden)
 {
-    uint32_t from = behind(&t->left, &t->u.arc.left), to = behind(&t->right, &t->u.arc.right);
-    uint32_t length = arc_unit(lmb_shl(lmb_sub(t->right.x, t->left.x), 4)) + from - to; /* at least one: there is a pixel */
+    uint32_t from = behind(&t->edge[0], &t->u.arc.left), to = behind(&t->edge[1], &t->u.arc.right);
+    uint32_t length = arc_unit(lmb_shl(lmb_sub(t->edge[1].x, t->edge[0].x), 4)) + from - to; /* at least one: there is a pixel */
     unsigned i;
     lmb_shade_arc(t, span, edge_arc_normal(&t->u.arc.left), edge_arc_normal(&t->u.arc.right), length, from);
     for (; hidden > 0; hidden--) {
-        for (i = 0; i < t->look->lights; i++) {
+        for (i = 0; i < lmb_look_lights(t->look); i++) {
             lmb_arc_step(&span->arc, &span->diffuse[i]);
             if (lmb_bit(t->specular_on, i)) lmb_arc_step(&span->arc, &span->specular[i]);
         }
@@ -191,11 +192,11 @@ static void arc_span(const lmb_triangle *t, lmb_span *span, int32_t hidden)
 
 static void plane_span(const lmb_triangle *t, lmb_span *span)
 {
-    int32_t columns = lmb_sub(span->x, t->column);
+    int32_t columns = lmb_sub(span->x, t->column), rows = lmb_sub(span->y, t->row);
     unsigned i;
-    for (i = 0; i < t->look->lights; i++) {
-        if (lmb_bit(t->diffuse_on, i)) span->diffuse[i] = lmb_plane_term(&t->u.plane.diffuse[i], columns);
-        if (lmb_bit(t->specular_on, i)) span->specular[i] = lmb_plane_term(&t->u.plane.specular[i], columns);
+    for (i = 0; i < lmb_look_lights(t->look); i++) {
+        if (lmb_bit(t->diffuse_on, i)) lmb_plane_term(&span->diffuse[i], &t->u.plane.diffuse[i], columns, rows);
+        if (lmb_bit(t->specular_on, i)) lmb_plane_term(&span->specular[i], &t->u.plane.specular[i], columns, rows);
         span->exponent[i] = t->exponent[i];
     }
 }
@@ -203,53 +204,48 @@ static void plane_span(const lmb_triangle *t, lmb_span *span)
 static void flat_span(const lmb_triangle *t, lmb_span *span)
 {
     unsigned i;
-    for (i = 0; i < t->look->lights; i++) {
+    for (i = 0; i < lmb_look_lights(t->look); i++) {
         span->diffuse[i].f = t->u.plane.diffuse[i].f;
         span->specular[i].f = t->u.plane.specular[i].f;
         span->exponent[i] = 0;
     }
 }
 
-static void rows_step(lmb_triangle *t)
+static void row_step(lmb_triangle *t)
 {
     unsigned i;
     t->y = lmb_add(t->y, 1);
-    if (LMB_WITH_DEPTH) lmb_plane_down(&t->depth);
-    lmb_edge_step(&t->left);
-    lmb_edge_step(&t->right);
+    for (i = 0; i < 2; i++) lmb_edge_step(&t->edge[i]);
     if (LMB_WITH_ARC && t->kind == LMB_SPAN_ARC) {
         edge_arc_step(&t->u.arc.left);
         edge_arc_step(&t->u.arc.right);
-    } else if (t->kind == LMB_SPAN_PLANE) {
-        for (i = 0; i < t->look->lights; i++) {
-            if (lmb_bit(t->diffuse_on, i)) lmb_plane_down(&t->u.plane.diffuse[i]);
-            if (lmb_bit(t->specular_on, i)) lmb_plane_down(&t->u.plane.specular[i]);
-        }
     }
-    if (t->y == t->y_switch && t->y < t->y_end) side_begin(t, !t->long_left, t->corner[1], t->corner[2], t->y);
+    if (t->y == t->y_switch && t->y < t->y_end) side_begin(t, !t->long_right, 1, 2);
 }
 
 bool lmb_triangle_next(lmb_triangle *t, lmb_span *span)
 {
-    for (; t->y < t->y_end; rows_step(t)) {
-        int32_t x = lmb_max(t->left.x, t->window.left), end = lmb_min(t->right.x, t->window.right);
-        if (x >= end) continue;
-        span->x = (int16_t)x;
-        span->y = (int16_t)t->y;
-        span->length = (uint16_t)lmb_sub(end, x);
-        span->kind = t->kind;
-        span->diffuse_on = t->diffuse_on;
-        span->specular_on = t->specular_on;
-        if (LMB_WITH_DEPTH) span->depth = lmb_plane_term(&t->depth, lmb_sub(x, t->column));
-        if (LMB_WITH_ARC && t->kind == LMB_SPAN_ARC) {
-            arc_span(t, span, lmb_sub(x, t->left.x));
-        } else if (LMB_WITH_CORNERS && t->kind == LMB_SPAN_FLAT) {
-            flat_span(t, span);
-        } else {
-            plane_span(t, span);
+    bool found = false;
+    while (!found && t->y < t->y_end) {
+        int32_t x = lmb_max(t->edge[0].x, t->window_left), length = lmb_sub(lmb_min(t->edge[1].x, t->window_right), x);
+        found = length > 0;
+        if (found) {
+            span->x = (int16_t)x;
+            span->y = (int16_t)t->y;
+            span->length = (uint16_t)length;
+            span->kind = t->kind;
+            span->diffuse_on = t->diffuse_on;
+            span->specular_on = t->specular_on;
+            if (LMB_WITH_ARC && t->kind == LMB_SPAN_ARC) {
+                arc_span(t, span, lmb_sub(x, t->edge[0].x));
+            } else if (LMB_WITH_CORNERS && t->kind == LMB_SPAN_FLAT) {
+                flat_span(t, span);
+            } else {
+                plane_span(t, span);
+            }
+            if (LMB_WITH_DEPTH) lmb_plane_term(&span->depth, &t->depth, lmb_sub(x, t->column), lmb_sub(t->y, t->row));
         }
-        rows_step(t);
-        return true;
+        row_step(t);
     }
-    return false;
+    return found;
 }

@@ -1,21 +1,25 @@
 /* SPDX-License-Identifier: MIT */
 /* Unit vectors and rotations in Q2.14, and the reciprocal square root, in 32-bit products alone. */
-#include "lambent.h"
+#include "vec.h"
 
 #include "../tables/rsqrt_table.h"
 
 /* Vectors up to 1.41 long pass here and below: each partial sum is at most |a| |b| < 2^29 by Cauchy. */
-int32_t lmb_dot_q28(lmb_vec a, lmb_vec b)
+int32_t lmb_vec_dot_q28(const lmb_vec *a, const lmb_vec *b)
 {
-    return lmb_add(lmb_add(lmb_mul16(a.x, b.x), lmb_mul16(a.y, b.y)), lmb_mul16(a.z, b.z));
+    return lmb_add(lmb_add(lmb_mul16(a->x, b->x), lmb_mul16(a->y, b->y)), lmb_mul16(a->z, b->z));
 }
 
+int32_t lmb_dot_q28(lmb_vec a, lmb_vec b) { return lmb_vec_dot_q28(&a, &b); }
+
 /* |a - b|^2 is at most (2 * 1.41)^2 < 8 in Q28. A component of the difference can be 32768, one too many for lmb_mul16. */
-int32_t lmb_half_distance_q28(lmb_vec a, lmb_vec b)
+int32_t lmb_vec_half_distance_q28(const lmb_vec *a, const lmb_vec *b)
 {
-    int32_t x = lmb_sub(a.x, b.x), y = lmb_sub(a.y, b.y), z = lmb_sub(a.z, b.z);
+    int32_t x = lmb_sub(a->x, b->x), y = lmb_sub(a->y, b->y), z = lmb_sub(a->z, b->z);
     return lmb_shr(lmb_add(lmb_add(lmb_mul(x, x), lmb_mul(y, y)), lmb_mul(z, z)), 1);
 }
+
+int32_t lmb_half_distance_q28(lmb_vec a, lmb_vec b) { return lmb_vec_half_distance_q28(&a, &b); }
 
 /* Two steps of Newton's method, y <- y (1 + h/2) with h = 1 - x y^2. A product that is known to be nearly one needs its low
  * word alone to give h, where a 64-bit product is a call on cores like M0+.
@@ -57,13 +61,13 @@ static int16_t scale(int32_t a_q30, uint32_t r_q30, unsigned down)
  *   r     from s or 4 s, whichever lies in [2^28, 2^30)
  * s is off by at most 4 in 2^26, which moves r by 2^-25, and r by LMB_RSQRT_MAX_ERROR: together under 2^-24.4, or 2^-10.4
  * units of the result beyond its rounding. */
-lmb_vec lmb_normalise(int32_t x, int32_t y, int32_t z)
+void lmb_vec_normalise(lmb_vec *unit, int32_t x, int32_t y, int32_t z)
 {
-    lmb_vec unit = {0, 0, 16384};
-    unsigned up = lmb_clz32((uint32_t)((x ^ lmb_shr(x, 31)) | (y ^ lmb_shr(y, 31)) | (z ^ lmb_shr(z, 31)))) - 2, down = 16;
+    unsigned up, down = 16;
     int32_t s_q28;
     uint32_t r_q30;
-    if ((x | y | z) == 0) return unit;
+    if ((x | y | z) == 0) z = 1;
+    up = lmb_clz32((uint32_t)((x ^ lmb_shr(x, 31)) | (y ^ lmb_shr(y, 31)) | (z ^ lmb_shr(z, 31)))) - 2;
     x = lmb_shl(x, up);
     y = lmb_shl(y, up);
     z = lmb_shl(z, up);
@@ -73,36 +77,54 @@ lmb_vec lmb_normalise(int32_t x, int32_t y, int32_t z)
         down = 15;
     }
     r_q30 = lmb_rsqrt_q30((uint32_t)s_q28);
-    unit.x = scale(x, r_q30, down);
-    unit.y = scale(y, r_q30, down);
-    unit.z = scale(z, r_q30, down);
+    unit->x = scale(x, r_q30, down);
+    unit->y = scale(y, r_q30, down);
+    unit->z = scale(z, r_q30, down);
+}
+
+lmb_vec lmb_normalise(int32_t x, int32_t y, int32_t z)
+{
+    lmb_vec unit;
+    lmb_vec_normalise(&unit, x, y, z);
     return unit;
 }
 
 /* |row| <= 1.01 * 2^14 and |v| <= 2^15 sqrt(3): every partial sum is under 1.01 * 2^29 sqrt(3) < 2^30 by Cauchy. */
-void lmb_rotate_wide(const lmb_matrix *m, lmb_vec v, int32_t out[3])
+void lmb_vec_rotate_wide(const lmb_matrix *m, const lmb_vec *v, int32_t out[3])
 {
     unsigned i;
-    for (i = 0; i < 3; i++) out[i] = lmb_dot_q28(m->row[i], v);
+    for (i = 0; i < 3; i++) out[i] = lmb_vec_dot_q28(&m->row[i], v);
 }
 
+void lmb_rotate_wide(const lmb_matrix *m, lmb_vec v, int32_t out[3]) { lmb_vec_rotate_wide(m, &v, out); }
+
 /* A loop and a copy, where three saturations in line would take 50 bytes more. */
-lmb_vec lmb_rotate(const lmb_matrix *m, lmb_vec v)
+static void rotate(const lmb_matrix *m, lmb_vec *v)
 {
     int32_t wide[3];
-    lmb_vec out;
     unsigned i;
-    lmb_rotate_wide(m, v, wide);
+    lmb_vec_rotate_wide(m, v, wide);
     for (i = 0; i < 3; i++) wide[i] = lmb_max(lmb_min(lmb_shr_round(wide[i], 14), INT16_MAX), INT16_MIN);
-    out.x = (int16_t)wide[0];
-    out.y = (int16_t)wide[1];
-    out.z = (int16_t)wide[2];
-    return out;
+    v->x = (int16_t)wide[0];
+    v->y = (int16_t)wide[1];
+    v->z = (int16_t)wide[2];
+}
+
+lmb_vec lmb_rotate(const lmb_matrix *m, lmb_vec v)
+{
+    rotate(m, &v);
+    return v;
+}
+
+void lmb_vec_rotate_back(const lmb_matrix *m, lmb_vec *v)
+{
+    const lmb_vec *a = &m->row[0], *b = &m->row[1], *c = &m->row[2];
+    lmb_matrix back = {{{a->x, b->x, c->x}, {a->y, b->y, c->y}, {a->z, b->z, c->z}}};
+    rotate(&back, v);
 }
 
 lmb_vec lmb_rotate_back(const lmb_matrix *m, lmb_vec v)
 {
-    const lmb_vec *a = &m->row[0], *b = &m->row[1], *c = &m->row[2];
-    lmb_matrix back = {{{a->x, b->x, c->x}, {a->y, b->y, c->y}, {a->z, b->z, c->z}}};
-    return lmb_rotate(&back, v);
+    lmb_vec_rotate_back(m, &v);
+    return v;
 }

@@ -21,7 +21,7 @@ bytes() { arm-none-eabi-size "$1" | awk 'NR == 2 { print $1 + $2 }'; }
 static_ram() { arm-none-eabi-size "$1" | awk 'NR == 2 { print $2 + $3 }'; }
 
 link empty -DSIZE_EMPTY
-link gloss -DSIZE_GLOSS -DLMB_LIGHTS=1 -DLMB_WITH_ARC=0 -DLMB_WITH_CORNERS=0 -DLMB_WITH_PERSPECTIVE=0 -DLMB_WITH_DEPTH=0 -DLMB_WITH_RGB888=0
+link gloss -DSIZE_GLOSS -DLMB_LIGHTS=1 -DLMB_WITH_ARC=0 -DLMB_WITH_CORNERS=0 -DLMB_WITH_PERSPECTIVE=0 -DLMB_WITH_DEPTH=0 -DLMB_WITH_LARGE=0 -DLMB_WITH_LOBES=0 -DLMB_WITH_RGB888=0
 link everything -DSIZE_EVERYTHING
 empty=$(bytes "$build/empty.elf")
 gloss=$(($(bytes "$build/gloss.elf") - empty))

@@ -34,7 +34,7 @@ void lmb_clear(const lmb_surface *surface, lmb_rgb colour)
             }
         }
     }
-    if (!surface->depth) return;
+    if (!LMB_WITH_DEPTH || !surface->depth) return;
     for (x = 0; x < width * height; x++) surface->depth[x] = 65535;
 }
 

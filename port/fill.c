@@ -50,12 +50,12 @@ static uint32_t coefficient(uint32_t q15, channel c)
 
 void lmb_paint_prepare(lmb_paint *paint, const lmb_look *look, enum lmb_format format)
 {
-    int i;
+    int known = lmb_format_bytes(format) == 2 ? LMB_RGB565 : LMB_RGB888, i; /* a constant where one is built in */
     unsigned k;
     for (i = 0; i < 3; i++) {
-        const channel c = channel_of((int)format, i);
+        const channel c = channel_of(known, i);
         paint->ambient[i] = lmb_mulu((uint32_t)look->ambient_q15[i] << (c.fraction - 15), c.top) + ((uint32_t)1 << (c.fraction - 1));
-        for (k = 0; k < look->lights; k++) {
+        for (k = 0; k < lmb_look_lights(look); k++) {
             paint->light[k].diffuse[i] = (uint16_t)coefficient(look->light[k].diffuse_q15[i], c);
             paint->light[k].specular[i] = (uint16_t)coefficient(look->light[k].specular_q15[i], c);
         }
@@ -179,7 +179,7 @@ static void all_lights(uint32_t sum[3], int format, const lmb_look *look, const 
                        const lmb_term *diffuse, const lmb_term *specular)
 {
     unsigned i;
-    for (i = 0; i < look->lights; i++) {
+    for (i = 0; i < lmb_look_lights(look); i++) {
         light_pixel(sum, look, paint, span, &diffuse[i], &specular[i], i);
         saturate(sum, format);
     }
@@ -214,7 +214,7 @@ static void general_run(const lmb_surface *surface, const lmb_look *look, const 
 {
     lmb_term diffuse[LMB_LIGHTS], specular[LMB_LIGHTS], depth = span->depth;
     unsigned step = lmb_format_bytes((enum lmb_format)surface->format), n, i;
-    for (i = 0; i < look->lights; i++) {
+    for (i = 0; i < lmb_look_lights(look); i++) {
         diffuse[i] = span->diffuse[i];
         specular[i] = span->specular[i];
     }
@@ -224,7 +224,7 @@ static void general_run(const lmb_surface *surface, const lmb_look *look, const 
             all_lights(sum, surface->format, look, paint, span, diffuse, specular);
             store_as(surface, pixel, sum);
         }
-        for (i = 0; i < look->lights; i++) {
+        for (i = 0; i < lmb_look_lights(look); i++) {
             if (lmb_bit(span->diffuse_on, i)) terms_step(span, &diffuse[i]);
             if (lmb_bit(span->specular_on, i)) terms_step(span, &specular[i]);
         }
@@ -253,7 +253,7 @@ void lmb_fill_span(const lmb_surface *surface, const lmb_look *look, const lmb_p
     size_t width = (size_t)lmb_sub(surface->window.right, surface->window.left);
     uint8_t *pixel = (uint8_t *)surface->pixels + row * surface->pitch + column * lmb_format_bytes((enum lmb_format)surface->format);
     uint16_t *stored = LMB_WITH_DEPTH && surface->depth ? surface->depth + row * width + column : NULL;
-    bool fast = (LMB_LIGHTS == 1 || look->lights == 1) && (!LMB_WITH_CORNERS || look->model >= LMB_MODEL_DIFFUSE);
+    bool fast = lmb_look_lights(look) == 1 && (!LMB_WITH_CORNERS || look->model >= LMB_MODEL_DIFFUSE);
     if ((LMB_WITH_CORNERS && span->kind == LMB_SPAN_FLAT) || !(span->diffuse_on | span->specular_on)) {
         solid_run(surface, look, paint, span, pixel, stored);
     } else if (!fast) {

@@ -2,19 +2,11 @@
  * power first: a Q2.14, b Q2.14, error UQ0.16; or constants: a Q2.14, b Q2.14, error UQ0.16, floor Q2.14.
  * These errors are upper bounds that allow for integer arithmetic; the comments give real arithmetic's. */
 
-static const int16_t lobe_curves[] = {
+static const int16_t lobe_numbers[] = {
     /* plain, m = 0, n = 1 and all others that are exact: max error 0.000000 */
     16384, 16384, 17, 0,
-    /* plain, m = 1, n = 3 to 1000: max error 0.069841 */
-    0, 0, 0, 16384,
-    147, 734, 3840, 11661,
-    -88, -539, -3960, 4603,
     /* crossed, m = 2, n = 3 and all others that are exact: max error 0.000000 */
     16384, 21845, 17, 0,
-    /* plain, m = 2, n = 5 to 1000: max error 0.020916 */
-    1614, -390, 171, 15187,
-    -2605, 628, 2253, 15718,
-    686, -48, -1871, 1457,
     /* plain, m = 3, n = 5: max error 0.000406 */
     23762, 11331, 43, 17211,
     /* plain, m = 3, n = 7: max error 0.000226 */
@@ -23,10 +15,6 @@ static const int16_t lobe_curves[] = {
     2823, -2146, 2144, 13612,
     -2598, 1153, -1185, 18919,
     185, 29, -583, 406,
-    /* crossed, m = 3, n = 28 to 1000: max error 0.005688 */
-    48, 84, 171, 15782,
-    -365, -700, 730, 23369,
-    92, 234, -677, 398,
     /* plain, m = 4, n = 13: max error 0.000075 */
     18361, 14628, 21, 8288,
     /* plain, m = 4, n = 14: max error 0.000053 */
@@ -43,25 +31,50 @@ static const int16_t lobe_curves[] = {
     0, 570, -43, 59,
 };
 
-/* first n, last n, form, where its curves start */
+/* The most accurate: last n, form, where its numbers start. */
 static const lobe_row lobe_rows[] = {
-    {1, 1, 0, 0},
-    {2, 2, 1, 0},
-    {3, 1000, 1, 4},
-    {3, 3, CROSSED | 2, 16},
-    {4, 4, 2, 0},
-    {5, 1000, 2, 20},
-    {5, 5, 3, 32},
-    {6, 6, CROSSED | 3, 16},
-    {7, 7, 3, 36},
-    {8, 8, 3, 0},
-    {9, 27, 3, 40},
-    {28, 1000, CROSSED | 3, 52},
-    {12, 12, CROSSED | 4, 16},
-    {13, 13, 4, 64},
-    {14, 14, 4, 68},
-    {15, 15, 4, 72},
-    {16, 16, 4, 0},
-    {17, 89, 4, 76},
-    {90, 1000, CROSSED | 4, 88},
+    {1, 0, 0},
+    {2, 1, 0},
+    {3, CROSSED | 2, 4},
+    {4, 2, 0},
+    {5, 3, 8},
+    {6, CROSSED | 3, 4},
+    {7, 3, 12},
+    {8, 3, 0},
+    {11, CUBIC | 3, 16},
+    {12, CROSSED | 4, 4},
+    {13, 4, 28},
+    {14, 4, 32},
+    {15, 4, 36},
+    {16, 4, 0},
+    {89, CUBIC | 4, 40},
+    {1000, CUBIC | CROSSED | 4, 52},
+};
+
+/* Fewer multiplications. */
+static const int16_t cheap_numbers[] = {
+    /* plain, m = 1, n = 3 to 1000: max error 0.069841 */
+    0, 0, 0, 16384,
+    147, 734, 3840, 11661,
+    -88, -539, -3960, 4603,
+    /* plain, m = 2, n = 5 to 1000: max error 0.020916 */
+    1614, -390, 171, 15187,
+    -2605, 628, 2253, 15718,
+    686, -48, -1871, 1457,
+    /* plain, m = 3, n = 9 to 27: max error 0.003365 */
+    2823, -2146, 2144, 13612,
+    -2598, 1153, -1185, 18919,
+    185, 29, -583, 406,
+    /* crossed, m = 3, n = 28 to 1000: max error 0.005688 */
+    48, 84, 171, 15782,
+    -365, -700, 730, 23369,
+    92, 234, -677, 398,
+};
+
+/* First n, and as above. */
+static const cheap_row cheap_rows[] = {
+    {3, {1000, CUBIC | 1, 0}},
+    {5, {1000, CUBIC | 2, 12}},
+    {9, {27, CUBIC | 3, 24}},
+    {28, {1000, CUBIC | CROSSED | 3, 36}},
 };
