@@ -36,10 +36,7 @@ static int32_t product_q30(int32_t a, int32_t b)
 }
 
 /* x (1 - part), part < 1. */
-static int32_t lessen(int32_t x, int32_t part_q28)
-{
-    return lmb_sub(x, product_q30(x, lmb_shl(part_q28, 2)));
-}
+static int32_t lessen(int32_t x, int32_t part_q28) { return lmb_sub(x, product_q30(x, lmb_shl(part_q28, 2))); }
 
 /* G(u) in Q4.28, up to 2.42, for u up to LMB_ARC_U_MAX. */
 static int32_t angle_over_sine(int32_t u_q28)
@@ -224,10 +221,7 @@ lmb_turn lmb_arc_turn(int32_t u_q28, uint32_t length)
     return turn;
 }
 
-int32_t lmb_excess_q28(lmb_vec v)
-{
-    return lmb_sub(lmb_dot_q28(v, v), 0x10000000);
-}
+int32_t lmb_excess_q28(lmb_vec v) { return lmb_sub(lmb_dot_q28(v, v), 0x10000000); }
 
 /* With |a| = 1 + x and |b| = 1 + y the cosine is a.b (1 - x)(1 - y) but for squares of x and y, and x is half the excess of a.
  * a.b (1 - excess/2) is never above one: |a| |b| (2 - (|a|^2 + |b|^2)/2) <= |a| |b| (2 - |a| |b|) <= 1. Held inside one all the
@@ -241,10 +235,7 @@ static int32_t cosine_of(const lmb_vec *a, const lmb_vec *b, int32_t excess_q28)
     return lmb_shl(lmb_max(lmb_min(dot_q28, 0x10000000), 1 - 0x10000000), 2);
 }
 
-int32_t lmb_cosine_q30(lmb_vec a, lmb_vec b, int32_t excess_q28)
-{
-    return cosine_of(&a, &b, excess_q28);
-}
+int32_t lmb_cosine_q30(lmb_vec a, lmb_vec b, int32_t excess_q28) { return cosine_of(&a, &b, excess_q28); }
 
 void lmb_arc_between(lmb_arc *arc, lmb_vec from, lmb_vec to, uint32_t length, uint32_t start)
 {

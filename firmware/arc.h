@@ -81,8 +81,8 @@ void lmb_block4_prepare(lmb_block4 *term, int32_t u_q28, uint32_t length, int32_
 static inline void lmb_block4_step(lmb_block4 *term, int32_t next_q14[4])
 {
     const int32_t f = term->f, before = term->before;
-    int32_t second = lmb_sub(lmb_shr_round(lmb_mul(term->twice_cos2, f), 14),
-                             lmb_shr_round(lmb_mul(term->twice_cos, before), 14));
+    int32_t second =
+        lmb_sub(lmb_shr_round(lmb_mul(term->twice_cos2, f), 14), lmb_shr_round(lmb_mul(term->twice_cos, before), 14));
     next_q14[0] = lmb_wrap16(lmb_sub(lmb_shr_round(lmb_mul(term->twice_cos, f), 14), before));
     next_q14[1] = lmb_wrap16(lmb_add(second, f));
     next_q14[2] = lmb_wrap16(lmb_sub(lmb_shr_round(lmb_mul(term->twice_cos2, next_q14[0]), 14), before));

@@ -17,10 +17,7 @@ static int32_t begin(int32_t u_q28, uint32_t length, int32_t a_q30, int32_t rise
 }
 
 /* Q2.30 to Q2.14, rounded to nearest; just under two at most. */
-static int32_t to_q14(int32_t x_q30)
-{
-    return lmb_min(lmb_shr_round(lmb_shr(x_q30, 1), 15), 32767);
-}
+static int32_t to_q14(int32_t x_q30) { return lmb_min(lmb_shr_round(lmb_shr(x_q30, 1), 15), 32767); }
 
 void lmb_plain16_prepare(lmb_plain16 *term, int32_t u_q28, uint32_t length, int32_t a_q30, int32_t rise_q30)
 {

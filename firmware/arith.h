@@ -45,7 +45,7 @@ int64_t lmb_mul_wide(int32_t a, int32_t b);
  * so that no library helper with a table is linked. */
 static inline unsigned lmb_clz32(uint32_t x)
 {
-#if defined(__GNUC__) && (!defined(__arm__) || defined(__ARM_FEATURE_CLZ)) && !defined(__riscv) && !defined(__AVR__) && \
+#if defined(__GNUC__) && (!defined(__arm__) || defined(__ARM_FEATURE_CLZ)) && !defined(__riscv) && !defined(__AVR__) &&          \
     !defined(__XTENSA__)
     return x ? (unsigned)__builtin_clz(x) : 32u;
 #else
@@ -60,10 +60,7 @@ static inline int32_t lmb_max(int32_t a, int32_t b) { return a > b ? a : b; }
 static inline bool lmb_bit(uint8_t mask, unsigned i) { return ((uint32_t)mask >> i & 1u) != 0; }
 
 /* A uint32_t bit pattern as int32_t, without the implementation-defined conversion. Compilers make it nothing. */
-static inline int32_t lmb_signed(uint32_t x)
-{
-    return x <= (uint32_t)INT32_MAX ? (int32_t)x : -(int32_t)(UINT32_MAX - x) - 1;
-}
+static inline int32_t lmb_signed(uint32_t x) { return x <= (uint32_t)INT32_MAX ? (int32_t)x : -(int32_t)(UINT32_MAX - x) - 1; }
 
 /* Wrapping kinds: identical in the library and in its twin. */
 static inline int32_t lmb_add_wrap(int32_t a, int32_t b) { return lmb_signed((uint32_t)a + (uint32_t)b); }
@@ -124,10 +121,7 @@ static inline int32_t lmb_mul_q16(int32_t a, uint32_t b)
 }
 
 /* floor(a * b / 2^15) with b in int16_t, in two 32-bit products. |a * b| must stay under 2^46. */
-static inline int32_t lmb_mul_q15(int32_t a, int32_t b)
-{
-    return (a >> 16) * b * 2 + (((a & 0xffff) * b) >> 15);
-}
+static inline int32_t lmb_mul_q15(int32_t a, int32_t b) { return (a >> 16) * b * 2 + (((a & 0xffff) * b) >> 15); }
 
 /* Whether a * b < c * d, of the whole 64-bit products. */
 static inline bool lmb_product_less(int32_t a, int32_t b, int32_t c, int32_t d)
@@ -144,8 +138,8 @@ extern lmb_counts lmb_count;
 /* Reports and does not return control to a wrong result silently: the test program prints file:line and fails. */
 void lmb_check_failed(const char *file, int line, const char *operation, int64_t a, int64_t b, int64_t result);
 
-static inline int64_t lmb_checked_(int64_t r, int64_t low, int64_t high, const char *op, int64_t a, int64_t b,
-                                   const char *file, int line)
+static inline int64_t lmb_checked_(int64_t r, int64_t low, int64_t high, const char *op, int64_t a, int64_t b, const char *file,
+                                   int line)
 {
     if (r < low || r > high) lmb_check_failed(file, line, op, a, b, r);
     return r;

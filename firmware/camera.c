@@ -7,7 +7,8 @@
 /* What both kinds share; near and far must fit, and their distance too. */
 static int camera_begin(lmb_camera *camera, int width, int height, int32_t focal_q16, int32_t near_q16, int32_t far_q16)
 {
-    if (width < 1 || height < 1 || width > 32767 || height > 32767 || focal_q16 < 1 || near_q16 >= far_q16) return LMB_ERROR_VALUE;
+    if (width < 1 || height < 1 || width > 32767 || height > 32767 || focal_q16 < 1 || near_q16 >= far_q16)
+        return LMB_ERROR_VALUE;
     if (near_q16 < 0 && far_q16 > INT32_MAX + near_q16) return LMB_ERROR_VALUE;
     camera->focal_q16 = focal_q16;
     camera->near_q16 = near_q16;
@@ -33,7 +34,8 @@ int lmb_camera_perspective(lmb_camera *camera, int width, int height, int32_t fo
 {
     unsigned shift;
     uint32_t reciprocal;
-    int error = !LMB_WITH_PERSPECTIVE || near_q16 < NEAR_MIN ? LMB_ERROR_VALUE : camera_begin(camera, width, height, focal_q16, near_q16, far_q16);
+    int error = !LMB_WITH_PERSPECTIVE || near_q16 < NEAR_MIN ? LMB_ERROR_VALUE
+                                                             : camera_begin(camera, width, height, focal_q16, near_q16, far_q16);
     if (error) return error;
     camera->perspective = true;
     /* depth = far / (far - near) * (1 - near / w): gain / 2^16, saturated where far hardly exceeds near */

@@ -68,7 +68,6 @@ void lmb_edge_begin(lmb_edge *edge, const lmb_vertex *top, const lmb_vertex *bot
     edge->modulus = (uint32_t)by.modulus;
     edge->step = divide(lmb_shl(dx, 4), &by, &edge->part);
     /* ceil(N / modulus) = -floor(-N / modulus) of the part of N beyond whole pixels; |N| <= 15 * 2^20 + 15 * 2^20 < 2^25 */
-    edge->x = lmb_sub(lmb_shr(left, 4),
-                      divide(lmb_sub(0, lmb_add(lmb_mul(left & 15, dy), lmb_mul(dx, below))), &by, &edge->gap));
+    edge->x = lmb_sub(lmb_shr(left, 4), divide(lmb_sub(0, lmb_add(lmb_mul(left & 15, dy), lmb_mul(dx, below))), &by, &edge->gap));
     skip(edge, lmb_sub(row, first), &by);
 }

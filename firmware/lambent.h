@@ -86,7 +86,8 @@ LMB_STATIC_ASSERT(LMB_LIGHTS >= 1 && LMB_LIGHTS <= 4);
 #ifndef LMB_WITH_LARGE
 #define LMB_WITH_LARGE 1 /* full accuracy for triangles over 512 pixels; without, they lie on a grid of 2^-13 of their extent */
 #endif
-LMB_STATIC_ASSERT((LMB_WITH_LOBES | LMB_WITH_LARGE | LMB_WITH_ARC | LMB_WITH_CORNERS | LMB_WITH_PERSPECTIVE | LMB_WITH_DEPTH | 1) == 1);
+LMB_STATIC_ASSERT((LMB_WITH_LOBES | LMB_WITH_LARGE | LMB_WITH_ARC | LMB_WITH_CORNERS | LMB_WITH_PERSPECTIVE | LMB_WITH_DEPTH |
+                   1) == 1);
 
 enum lmb_error {
     LMB_OK = 0,
@@ -210,7 +211,7 @@ typedef struct lmb_light {
 
 /* What is computed for each pixel. */
 enum lmb_model {
-    LMB_MODEL_FLAT,    /* one intensity for a triangle, at the normalised sum of its normals; of a mesh, at the face's own normal */
+    LMB_MODEL_FLAT, /* one intensity for a triangle, at the normalised sum of its normals; of a mesh, at the face's own normal */
     LMB_MODEL_GOURAUD, /* diffuse and specular at the corners, linear between */
     LMB_MODEL_DIFFUSE, /* N.L for each pixel, no highlight */
     LMB_MODEL_GLOSS    /* N.L and the lobe of N.H for each pixel */
@@ -268,14 +269,14 @@ typedef struct lmb_term {
 /* An arc: the normal turns evenly from pixel to pixel, by phi = psi / m over m pixels, and each dot product with it obeys
  * f(t+1) = 2 cos(phi) f(t) - f(t-1) (paper 001, eq. 7 and 14). Fields may change without notice. */
 typedef struct lmb_arc {
-    uint16_t kappa;            /* mantissa of 4 sin^2(phi/2): what lmb_arc_step needs */
-    uint8_t kappa_shift;       /* its exponent */
-    uint8_t guard;             /* fraction bits that d has beyond those of f */
-    int32_t f_from_a_q30;      /* the first f is a + a f_from_a + rise f_from_rise, */
-    int32_t f_from_rise_q30;   /* the first d is a d_from_a + rise d_from_rise, times 2^guard */
+    uint16_t kappa;          /* mantissa of 4 sin^2(phi/2): what lmb_arc_step needs */
+    uint8_t kappa_shift;     /* its exponent */
+    uint8_t guard;           /* fraction bits that d has beyond those of f */
+    int32_t f_from_a_q30;    /* the first f is a + a f_from_a + rise f_from_rise, */
+    int32_t f_from_rise_q30; /* the first d is a d_from_a + rise d_from_rise, times 2^guard */
     int32_t d_from_a_q30;
     int32_t d_from_rise_q30;
-    int32_t excess_from_q28;   /* of the normals, for lmb_arc_dot: see lmb_excess_q28 */
+    int32_t excess_from_q28; /* of the normals, for lmb_arc_dot: see lmb_excess_q28 */
     int32_t excess_to_q28;
 } lmb_arc;
 
@@ -349,15 +350,15 @@ enum lmb_span_kind {
  * of that kind anywhere in the span, and its term is not written. */
 typedef struct lmb_span {
     int16_t x, y;
-    uint16_t length;              /* pixels, at least 1 */
-    uint8_t kind;                 /* enum lmb_span_kind */
-    uint8_t diffuse_on;           /* bit i: diffuse[i] may be above zero */
-    uint8_t specular_on;          /* bit i: specular[i] may be above zero */
-    uint8_t exponent[LMB_LIGHTS]; /* specular[i] holds s / 2^exponent[i] */
-    lmb_arc arc;                  /* for LMB_SPAN_ARC */
-    lmb_term diffuse[LMB_LIGHTS]; /* N.L, Q2.30 */
+    uint16_t length;               /* pixels, at least 1 */
+    uint8_t kind;                  /* enum lmb_span_kind */
+    uint8_t diffuse_on;            /* bit i: diffuse[i] may be above zero */
+    uint8_t specular_on;           /* bit i: specular[i] may be above zero */
+    uint8_t exponent[LMB_LIGHTS];  /* specular[i] holds s / 2^exponent[i] */
+    lmb_arc arc;                   /* for LMB_SPAN_ARC */
+    lmb_term diffuse[LMB_LIGHTS];  /* N.L, Q2.30 */
     lmb_term specular[LMB_LIGHTS]; /* gloss: the lobe's argument s; flat and gouraud: the lobe's value; Q2.30 */
-    lmb_term depth;               /* UQ0.16 in the upper half of Q2.30: depth.f >> 14; runs by lmb_plane_step */
+    lmb_term depth;                /* UQ0.16 in the upper half of Q2.30: depth.f >> 14; runs by lmb_plane_step */
 } lmb_span;
 
 /* One edge of a triangle, walked row by row without error: x is the first pixel whose centre is not left of the edge, gap how far
@@ -485,8 +486,8 @@ typedef struct lmb_walk {
     const uint16_t *order;
     const lmb_window *window;
     lmb_rays rays;
-    uint32_t next;               /* triangle */
-    uint8_t corners, fan;        /* of the clipped polygon that is being handed out */
+    uint32_t next;        /* triangle */
+    uint8_t corners, fan; /* of the clipped polygon that is being handed out */
     lmb_vertex polygon[LMB_CLIP_MAX];
 } lmb_walk;
 

@@ -5,7 +5,7 @@
 /* Directions within 5 % of unit length: 0.95^2 and 1.05^2 in Q4.28. */
 #define LENGTH2_MIN 242262999u
 #define LENGTH2_MAX 295950609u
-LMB_STATIC_ASSERT(LENGTH2_MIN < 0x10000000 && LENGTH2_MAX > 0x10000000);
+LMB_STATIC_ASSERT(LENGTH2_MIN<0x10000000 && LENGTH2_MAX> 0x10000000);
 
 static uint32_t square(int32_t x) { return (uint32_t)lmb_mul16(x, x); }
 

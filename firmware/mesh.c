@@ -125,14 +125,13 @@ bool lmb_mesh_next(lmb_walk *walk, lmb_triangle *triangle)
             }
         }
         /* without clipping, lmb_triangle_begin drops it */
-        if (LMB_WITH_PERSPECTIVE && (corner[0]->x == NOT_ON_SCREEN || corner[1]->x == NOT_ON_SCREEN || corner[2]->x == NOT_ON_SCREEN)) {
+        if (LMB_WITH_PERSPECTIVE &&
+            (corner[0]->x == NOT_ON_SCREEN || corner[1]->x == NOT_ON_SCREEN || corner[2]->x == NOT_ON_SCREEN)) {
             clip(walk, index);
             continue;
         }
         if (LMB_WITH_CORNERS && walk->look->model == LMB_MODEL_FLAT) flatten(walk, index, corner);
-        if (lmb_triangle_begin(triangle, walk->look, &walk->rays, corner[0], corner[1], corner[2], walk->window)) {
-            return true;
-        }
+        if (lmb_triangle_begin(triangle, walk->look, &walk->rays, corner[0], corner[1], corner[2], walk->window)) { return true; }
     }
 }
 

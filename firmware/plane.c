@@ -24,10 +24,10 @@
  */
 #include "plane.h"
 
-#define NEAR_BITS 13     /* 512 pixels in 1/16 pixel */
-#define ANCHOR_MAX 1023  /* pixels */
+#define NEAR_BITS 13    /* 512 pixels in 1/16 pixel */
+#define ANCHOR_MAX 1023 /* pixels */
 #define CURVATURE_BITS 14
-#define HEIGHT_BITS 12   /* triangles some 4096 times longer than high have no curve: there its rounding would exceed it */
+#define HEIGHT_BITS 12 /* triangles some 4096 times longer than high have no curve: there its rounding would exceed it */
 
 /* Bits of the largest magnitude. */
 static unsigned bits_of(const int32_t *values, unsigned count)

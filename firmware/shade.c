@@ -32,10 +32,7 @@ static int32_t bulge_factor_q28(int32_t u_q28)
 }
 
 /* a Q4.28 value times another in [-1, 1] of which 15 bits matter. */
-static int32_t times_q28(int32_t a, int32_t b_q28)
-{
-    return lmb_mul_q15(a, lmb_min(lmb_shr(b_q28, 13), 32767));
-}
+static int32_t times_q28(int32_t a, int32_t b_q28) { return lmb_mul_q15(a, lmb_min(lmb_shr(b_q28, 13), 32767)); }
 
 /* The bulges of a net from the bulge factors of its edges; mean - pull is what bulges. Edge i goes from corner i to the next. */
 static void net_bulge(lmb_net *net, const int32_t factor[3], int32_t pull)

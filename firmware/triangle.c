@@ -50,10 +50,7 @@ static bool in_window(const lmb_vertex *const corner[3], const lmb_window *windo
 static uint32_t arc_unit(int32_t x) { return (uint32_t)x << 12; }
 LMB_STATIC_ASSERT(LMB_ARC_PIXEL == 16UL << 12 && 2 * LMB_SCREEN_MAX <= (long)(LMB_ARC_LENGTH_MAX >> 12));
 
-static uint32_t row_start(const lmb_vertex *top)
-{
-    return arc_unit(lmb_sub(lmb_add(lmb_shl(lmb_row_at(top->y), 4), 8), top->y));
-}
+static uint32_t row_start(const lmb_vertex *top) { return arc_unit(lmb_sub(lmb_add(lmb_shl(lmb_row_at(top->y), 4), 8), top->y)); }
 
 static int32_t component_rise(int32_t from, int32_t to)
 {

@@ -5,10 +5,22 @@
 unsigned lmb_clz32_search(uint32_t x)
 {
     unsigned n = 32;
-    if (x >> 16) { n -= 16; x >>= 16; }
-    if (x >> 8) { n -= 8; x >>= 8; }
-    if (x >> 4) { n -= 4; x >>= 4; }
-    if (x >> 2) { n -= 2; x >>= 2; }
+    if (x >> 16) {
+        n -= 16;
+        x >>= 16;
+    }
+    if (x >> 8) {
+        n -= 8;
+        x >>= 8;
+    }
+    if (x >> 4) {
+        n -= 4;
+        x >>= 4;
+    }
+    if (x >> 2) {
+        n -= 2;
+        x >>= 2;
+    }
     if (x >> 1) { return n - 2; }
     return n - (unsigned)x;
 }

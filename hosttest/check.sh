@@ -106,10 +106,15 @@ run clang-test_raster "$build/clang/bin/test_raster" 2
 show clang-test_arc clang-test_raster
 for o in O0 Os O3; do build gcc-$o gcc "-$o" "" demo; done
 build clang-O3 clang "-O3" "" demo
-for v in clang gcc-O0 gcc-Os gcc-O3 clang-O3; do
+build halves gcc "-DLMB_LONG_PRODUCTS=0" "" demo "$build/halves/bin/test_raster" "$build/halves/bin/test_mesh"
+for v in clang gcc-O0 gcc-Os gcc-O3 clang-O3 halves; do
     different=$(for f in "$build"/gcc/demo/*.bmp; do cmp -s "$f" "$build/$v/demo/$(basename "$f")" || basename "$f"; done)
     verdict "$([ -z "$different" ]; echo $?)" "frames $v" "byte for byte those of gcc -O2${different:+; but not $(echo $different)}"
 done
+
+run halves-test_raster "$build/halves/bin/test_raster" 3
+run halves-test_mesh "$build/halves/bin/test_mesh" 3
+show halves-test_raster halves-test_mesh
 
 say "checked arithmetic"
 build checked gcc "-DLMB_CHECKED" "" tests && suite checked

@@ -79,7 +79,7 @@ void ref_colour(const ref_shader *shader, ref_vec normal, double rgb[3]);
 /* One surface at one pixel. */
 typedef struct ref_fragment {
     double depth;
-    float rgb[3]; /* intensities */
+    float rgb[3];      /* intensities */
     uint32_t triangle; /* object * 2^24 + triangle */
 } ref_fragment;
 

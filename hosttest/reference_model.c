@@ -10,9 +10,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#define NODES 6        /* three corners, three mid-edges: 01, 12, 20 */
-#define DEPTH_SLACK 2  /* depths of 16 bits: two that differ by less may come in either order */
-#define P_MAX 2.0      /* 1 / sqrt(1 - u/2) at LMB_ARC_U_MAX, the most that a mid-edge value is the mean of its ends times */
+#define NODES 6       /* three corners, three mid-edges: 01, 12, 20 */
+#define DEPTH_SLACK 2 /* depths of 16 bits: two that differ by less may come in either order */
+#define P_MAX 2.0     /* 1 / sqrt(1 - u/2) at LMB_ARC_U_MAX, the most that a mid-edge value is the mean of its ends times */
 
 typedef struct corner {
     int64_t x, y;
@@ -24,12 +24,12 @@ typedef struct corner {
 typedef struct shaded {
     const ref_shader *shader;
     corner corner[3];
-    ref_vec face;           /* normal of the mesh's face */
+    ref_vec face; /* normal of the mesh's face */
     int64_t area2;
     ref_terms node[NODES];
-    int nodes;              /* 1: constant, 3: linear, 6: quadratic, 0: along arcs */
-    bool lit;               /* nodes hold intensities rather than cosines */
-    ref_vec left, right;    /* of the current row: normals and places where the edges cross it */
+    int nodes;           /* 1: constant, 3: linear, 6: quadratic, 0: along arcs */
+    bool lit;            /* nodes hold intensities rather than cosines */
+    ref_vec left, right; /* of the current row: normals and places where the edges cross it */
     double left_x, right_x;
 } shaded;
 

@@ -360,10 +360,14 @@ static void make_soup(scene *s, unsigned i, char label[HARD_LABEL])
 }
 
 const hard_set hard_sets[] = {
-    {"image_coarse", 6, make_coarse, false, true, false},        {"image_slivers", 15, make_sliver, false, true, false},
-    {"image_shininess", 9, make_shiny, false, false, true},      {"image_lights", 7, make_light, false, false, false},
-    {"image_saturation", 4, make_saturated, false, false, false}, {"image_small", 8, make_small, true, false, false},
-    {"image_large", 2, make_large, false, true, false},          {"image_outside", 6, make_outside, false, true, false},
+    {"image_coarse", 6, make_coarse, false, true, false},
+    {"image_slivers", 15, make_sliver, false, true, false},
+    {"image_shininess", 9, make_shiny, false, false, true},
+    {"image_lights", 7, make_light, false, false, false},
+    {"image_saturation", 4, make_saturated, false, false, false},
+    {"image_small", 8, make_small, true, false, false},
+    {"image_large", 2, make_large, false, true, false},
+    {"image_outside", 6, make_outside, false, true, false},
     {"image_soup", 3, make_soup, false, false, false},
 };
 const unsigned hard_set_count = sizeof hard_sets / sizeof hard_sets[0];

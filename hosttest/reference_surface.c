@@ -56,10 +56,7 @@ static bool ball(const ref_ray *ray, double radius, double *in, double *out)
 }
 
 /* The distance from the torus about z, below zero inside. */
-static double torus_distance(ref_vec p)
-{
-    return hypot(hypot(p.x, p.y) - SCENE_TORUS_MAJOR, p.z) - SCENE_TORUS_MINOR;
-}
+static double torus_distance(ref_vec p) { return hypot(hypot(p.x, p.y) - SCENE_TORUS_MAJOR, p.z) - SCENE_TORUS_MINOR; }
 
 static ref_vec torus_normal(ref_vec p)
 {

@@ -108,11 +108,8 @@ int main(void)
     static const struct {
         const char *name;
         enum lmb_lobe_kind kind;
-    } lobes[] = {{"w2", LMB_LOBE_W2},
-                 {"w4", LMB_LOBE_W4},
-                 {"w8", LMB_LOBE_W8},
-                 {"w16", LMB_LOBE_W16},
-                 {"lambent", LMB_LOBE_TUNED}};
+    } lobes[] = {
+        {"w2", LMB_LOBE_W2}, {"w4", LMB_LOBE_W4}, {"w8", LMB_LOBE_W8}, {"w16", LMB_LOBE_W16}, {"lambent", LMB_LOBE_TUNED}};
     static double v[GRID + 1], truth[GRID + 1];
     printf("lobe,n,arithmetic,multiplications,additions,max_abs_error,at_degrees,rms_error,monotone\n");
     for (int i = 0; i <= GRID; i++) {

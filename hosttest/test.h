@@ -20,7 +20,8 @@ static int test_failures;
 #if defined(__GNUC__)
 __attribute__((format(printf, 3, 4)))
 #endif
-static inline int test_verdict(int ok, const char *name, const char *format, ...)
+static inline int
+test_verdict(int ok, const char *name, const char *format, ...)
 {
     va_list arguments;
     printf("%s %s: ", ok ? "pass" : "FAIL", name);

@@ -383,8 +383,11 @@ static void test_judge_sees(void)
     static const struct {
         const char *name;
         void (*change)(scene *);
-    } fault[] = {{"light by a degree", one_degree}, {"ambient by two levels", one_ambient}, {"shininess 100 as 104", shinier},
-                 {"shift by an eighth of a pixel", shifted}, {"pose by half a degree", turned}};
+    } fault[] = {{"light by a degree", one_degree},
+                 {"ambient by two levels", one_ambient},
+                 {"shininess 100 as 104", shinier},
+                 {"shift by an eighth of a pixel", shifted},
+                 {"pose by half a degree", turned}};
     unsigned i, missed = 0, false_alarms;
     ref_frame frame;
     ref_drawn drawn;

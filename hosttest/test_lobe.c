@@ -82,7 +82,7 @@ static sweep sweep_lobe(const lmb_lobe *lobe)
         widen(got - truth, s, &r.truth, &r.truth_at);
         if (s > floor) widen(got - real, s, &r.rounding, &r.rounding_at);
     }
-    static const int32_t beyond[] = {INT32_MIN, INT32_MIN + 1, -65536 * 160, -65536,  -1,
+    static const int32_t beyond[] = {INT32_MIN, INT32_MIN + 1, -65536 * 160,  -65536,  -1,
                                      0,         INT32_MAX,     INT32_MAX - 1, 1 << 30, 131072};
     for (int i = 0; i < 10; i++) {
         if (lmb_lobe_at(lobe, beyond[i]) != (i < 6 ? 0 : 32768)) r.ends = 0;
@@ -239,8 +239,8 @@ static void test_argument(test_random *random)
             }
         }
     }
-    test_verdict(worst <= 1, "lobe: argument",
-                 "below alpha - slope v by less than one step, above by less than 1/16: %.6f", worst);
+    test_verdict(worst <= 1, "lobe: argument", "below alpha - slope v by less than one step, above by less than 1/16: %.6f",
+                 worst);
     test_verdict(largest <= (double)LMB_LOBE_ARGUMENT_MAX, "lobe: argument never wraps", "|s| at most %.0f", largest);
     test_verdict(centre && far, "lobe: cosines rounded beyond 1 and below 0", "give 32768 and 0");
     test_verdict(fields, "lobe: fields in their ranges", "every n, every kind");
@@ -272,8 +272,8 @@ static void test_choice(void)
     }
     test_verdict(!wrong, "lobe: fewest multiplications within the tolerance",
                  "every n, tolerances to 6000/65536 (last wrong n: %u)", wrong);
-    test_verdict(!over, "lobe: error by multiplications, every n >= 2^m", "1: %.5f, 2: %.5f, 3: %.5f, 4: %.5f",
-                 worst[1], worst[2], worst[3], worst[4]);
+    test_verdict(!over, "lobe: error by multiplications, every n >= 2^m", "1: %.5f, 2: %.5f, 3: %.5f, 4: %.5f", worst[1],
+                 worst[2], worst[3], worst[4]);
 }
 
 static void test_refusals(void)

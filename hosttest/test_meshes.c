@@ -57,10 +57,7 @@ static vec3 unit(vec3 a)
     return r;
 }
 
-static vec3 corner(const lmb_mesh *m, uint32_t triangle, uint32_t k)
-{
-    return real(m->positions[m->indices[3 * triangle + k]]);
-}
+static vec3 corner(const lmb_mesh *m, uint32_t triangle, uint32_t k) { return real(m->positions[m->indices[3 * triangle + k]]); }
 
 /* Twice the area, outwards. */
 static vec3 facet(const lmb_mesh *m, uint32_t triangle)
@@ -140,10 +137,7 @@ static void test_seams(const shape *s)
 
 static uint32_t fnv(uint32_t h, uint16_t x) { return ((h ^ (x & 255u)) * 16777619u ^ (uint32_t)(x >> 8)) * 16777619u; }
 
-static uint32_t fnv_vector(uint32_t h, lmb_vec v)
-{
-    return fnv(fnv(fnv(h, (uint16_t)v.x), (uint16_t)v.y), (uint16_t)v.z);
-}
+static uint32_t fnv_vector(uint32_t h, lmb_vec v) { return fnv(fnv(fnv(h, (uint16_t)v.x), (uint16_t)v.y), (uint16_t)v.z); }
 
 static void test_counts(const shape *s)
 {
@@ -265,18 +259,27 @@ static uint32_t find(const lmb_mesh *m, const double p[3], const double n[3])
 /* Corners of Newell's patches with their normals: there the tangents are differences of neighbouring control points. */
 static void test_teapot_corners(const shape *s)
 {
-    static const double corners[][2][3] = {
-        {{0, 0, 3.15}, {0, 0, 1}},                                                      /* knob */
-        {{0, 0.2, 2.7}, {0, 0.15, 0.2}},     {{-1.3, 0, 2.4}, {-1, 0, 0}},              /* lid */
-        {{1.4, 0, 2.4}, {-0.13125, 0, -0.0625}}, {{0, 1.5, 2.4}, {0, 0.525, 0.25}},     /* rim */
-        {{2, 0, 0.9}, {1, 0, 0}},            {{0, -2, 0.9}, {0, -1, 0}},                /* body */
-        {{1.5, 0, 0.15}, {1, 0, 0}},         {{0, 0, 0}, {0, 0, -1}},                   /* bottom */
-        {{-1.6, 0, 2.025}, {0, 0, -1}},      {{-1.5, 0, 2.25}, {0, 0, 1}},              /* handle */
-        {{-2.7, 0, 1.8}, {1, 0, 0}},         {{-3, 0, 1.8}, {-1, 0, 0}},
-        {{-2, 0, 0.9}, {0.225, 0, 0.5}},     {{-1.9, 0, 0.6}, {-0.3375, 0, -0.75}},
-        {{1.7, 0, 1.425}, {0, 0, 1}},        {{1.7, 0, 0.6}, {0.225, 0, -1.4}},         /* spout */
-        {{2.7, 0, 2.4}, {-0.3, 0, 0.4}},     {{3.3, 0, 2.4}, {0.375, 0, -0.9}},
-        {{2.8, 0, 2.4}, {0.075, 0, -0.1}},   {{3.2, 0, 2.4}, {-0.1125, 0, 0.25}}};
+    static const double corners[][2][3] = {{{0, 0, 3.15}, {0, 0, 1}}, /* knob */
+                                           {{0, 0.2, 2.7}, {0, 0.15, 0.2}},
+                                           {{-1.3, 0, 2.4}, {-1, 0, 0}}, /* lid */
+                                           {{1.4, 0, 2.4}, {-0.13125, 0, -0.0625}},
+                                           {{0, 1.5, 2.4}, {0, 0.525, 0.25}}, /* rim */
+                                           {{2, 0, 0.9}, {1, 0, 0}},
+                                           {{0, -2, 0.9}, {0, -1, 0}}, /* body */
+                                           {{1.5, 0, 0.15}, {1, 0, 0}},
+                                           {{0, 0, 0}, {0, 0, -1}}, /* bottom */
+                                           {{-1.6, 0, 2.025}, {0, 0, -1}},
+                                           {{-1.5, 0, 2.25}, {0, 0, 1}}, /* handle */
+                                           {{-2.7, 0, 1.8}, {1, 0, 0}},
+                                           {{-3, 0, 1.8}, {-1, 0, 0}},
+                                           {{-2, 0, 0.9}, {0.225, 0, 0.5}},
+                                           {{-1.9, 0, 0.6}, {-0.3375, 0, -0.75}},
+                                           {{1.7, 0, 1.425}, {0, 0, 1}},
+                                           {{1.7, 0, 0.6}, {0.225, 0, -1.4}}, /* spout */
+                                           {{2.7, 0, 2.4}, {-0.3, 0, 0.4}},
+                                           {{3.3, 0, 2.4}, {0.375, 0, -0.9}},
+                                           {{2.8, 0, 2.4}, {0.075, 0, -0.1}},
+                                           {{3.2, 0, 2.4}, {-0.1125, 0, 0.25}}};
     uint32_t i, missing = 0, count = sizeof corners / sizeof corners[0];
     for (i = 0; i < count; i++) missing += find(s->mesh, corners[i][0], corners[i][1]) == UINT32_MAX;
     test_verdict(!missing, "teapot_corners", "%u of %u corners of patches missing or with another normal", (unsigned)missing,

@@ -69,8 +69,8 @@ static void test_clz(test_random *random, int exhaustive)
         x = test_next(random) >> (32 + i % 32);
         if (lmb_clz32((uint32_t)x) != zeros_of((uint32_t)x)) bad = (uint32_t)x, failures++;
     }
-    test_verdict(!failures, "clz: binary search counts as a loop does", "%d wrong, last 0x%08" PRIx32 ", words 0..0x%" PRIx64
-                 " and 1000000 random ones", failures, bad, last);
+    test_verdict(!failures, "clz: binary search counts as a loop does",
+                 "%d wrong, last 0x%08" PRIx32 ", words 0..0x%" PRIx64 " and 1000000 random ones", failures, bad, last);
 }
 
 /* -------------------------------------------------------------------------------------------------------- products of vectors */
@@ -192,8 +192,9 @@ static void normalise_take(normalise_worst *w, int32_t x, int32_t y, int32_t z)
 
 static void normalise_verdict(const normalise_worst *w, const char *name)
 {
-    test_verdict(w->error <= LMB_NORMALISE_MAX_ERROR * 16384, name, "%.6f/16384 at (%" PRId32 ", %" PRId32 ", %" PRId32
-                 "), bound %.4f; length within %.2g", w->error, w->x, w->y, w->z, LMB_NORMALISE_MAX_ERROR * 16384, w->length);
+    test_verdict(w->error <= LMB_NORMALISE_MAX_ERROR * 16384, name,
+                 "%.6f/16384 at (%" PRId32 ", %" PRId32 ", %" PRId32 "), bound %.4f; length within %.2g", w->error, w->x, w->y,
+                 w->z, LMB_NORMALISE_MAX_ERROR * 16384, w->length);
 }
 
 static void test_normalise_lattice(void)
@@ -429,8 +430,8 @@ static void test_reciprocal(test_random *random, int exhaustive)
             if (x <= UINT32_MAX) reciprocal_take(&e, (uint32_t)x);
     test_verdict(-e.low <= LMB_RECIPROCAL_MAX_ERROR, "reciprocal: relative error", "-2^%.3f at 0x%08" PRIx32 ", bound 2^%.3f%s",
                  log2(-e.low), e.low_at, log2(LMB_RECIPROCAL_MAX_ERROR), exhaustive ? ", all arguments" : "");
-    test_verdict(!e.wrong, "reciprocal: never above, shift is right", "%" PRIu64 " wrong, nearest %.2g at 0x%08" PRIx32,
-                 e.wrong, e.high, e.high_at);
+    test_verdict(!e.wrong, "reciprocal: never above, shift is right", "%" PRIu64 " wrong, nearest %.2g at 0x%08" PRIx32, e.wrong,
+                 e.high, e.high_at);
     test_verdict(e.least >= 1u << 30 && e.most < 1u << 31, "reciprocal: result in [2^30, 2^31)",
                  "0x%08" PRIx32 " to 0x%08" PRIx32, e.least, e.most);
     zero = lmb_reciprocal(0, &shift);

@@ -2,7 +2,8 @@
 /* Surfaces, clearing, and whole meshes in one call. */
 #include "fill.h"
 
-void lmb_surface_strip(lmb_surface *surface, enum lmb_format format, void *pixels, uint16_t *depth, int width, int top, int bottom)
+void lmb_surface_strip(lmb_surface *surface, enum lmb_format format, void *pixels, uint16_t *depth, int width, int top,
+                       int bottom)
 {
     surface->pixels = pixels;
     surface->depth = depth;

@@ -54,7 +54,8 @@ void lmb_paint_prepare(lmb_paint *paint, const lmb_look *look, enum lmb_format f
     unsigned k;
     for (i = 0; i < 3; i++) {
         const channel c = channel_of(known, i);
-        paint->ambient[i] = lmb_mulu((uint32_t)look->ambient_q15[i] << (c.fraction - 15), c.top) + ((uint32_t)1 << (c.fraction - 1));
+        paint->ambient[i] =
+            lmb_mulu((uint32_t)look->ambient_q15[i] << (c.fraction - 15), c.top) + ((uint32_t)1 << (c.fraction - 1));
         for (k = 0; k < lmb_look_lights(look); k++) {
             paint->light[k].diffuse[i] = (uint16_t)coefficient(look->light[k].diffuse_q15[i], c);
             paint->light[k].specular[i] = (uint16_t)coefficient(look->light[k].specular_q15[i], c);
@@ -140,8 +141,8 @@ static ALWAYS_INLINE void lit_run(const lmb_look *look, const lmb_paint *paint, 
 }
 
 /* What one light adds at one pixel of any kind of span. */
-static void light_pixel(uint32_t sum[3], const lmb_look *look, const lmb_paint *paint, const lmb_span *span, const lmb_term *diffuse,
-                        const lmb_term *specular, unsigned i)
+static void light_pixel(uint32_t sum[3], const lmb_look *look, const lmb_paint *paint, const lmb_span *span,
+                        const lmb_term *diffuse, const lmb_term *specular, unsigned i)
 {
     if (lmb_bit(span->diffuse_on, i)) add_light(sum, paint->light[i].diffuse, intensity(diffuse->f));
     if (lmb_bit(span->specular_on, i)) {
@@ -251,7 +252,8 @@ void lmb_fill_span(const lmb_surface *surface, const lmb_look *look, const lmb_p
 {
     size_t row = (size_t)lmb_sub(span->y, surface->window.top), column = (size_t)lmb_sub(span->x, surface->window.left);
     size_t width = (size_t)lmb_sub(surface->window.right, surface->window.left);
-    uint8_t *pixel = (uint8_t *)surface->pixels + row * surface->pitch + column * lmb_format_bytes((enum lmb_format)surface->format);
+    uint8_t *pixel =
+        (uint8_t *)surface->pixels + row * surface->pitch + column * lmb_format_bytes((enum lmb_format)surface->format);
     uint16_t *stored = LMB_WITH_DEPTH && surface->depth ? surface->depth + row * width + column : NULL;
     bool fast = lmb_look_lights(look) == 1 && (!LMB_WITH_CORNERS || look->model >= LMB_MODEL_DIFFUSE);
     if ((LMB_WITH_CORNERS && span->kind == LMB_SPAN_FLAT) || !(span->diffuse_on | span->specular_on)) {

@@ -42,7 +42,8 @@ typedef struct lmb_surface {
 } lmb_surface;
 
 /* A surface over a whole frame or a strip of it: rows top to bottom - 1 of a frame width pixels wide, no gaps between rows. */
-void lmb_surface_strip(lmb_surface *surface, enum lmb_format format, void *pixels, uint16_t *depth, int width, int top, int bottom);
+void lmb_surface_strip(lmb_surface *surface, enum lmb_format format, void *pixels, uint16_t *depth, int width, int top,
+                       int bottom);
 
 /* Fills the window with one colour, and its depth, if any, with the farthest. */
 void lmb_clear(const lmb_surface *surface, lmb_rgb colour);

@@ -300,7 +300,8 @@ static bool memory_get(memory *m, const job *j, const lmb_mesh *mesh)
     m->depth = j->order == ORDER_DEPTH ? malloc(strip * sizeof *m->depth) : NULL;
     m->order = j->order == ORDER_PAINTER ? malloc(mesh->triangles * sizeof *m->order) : NULL;
     m->keys = j->order == ORDER_PAINTER ? malloc(mesh->triangles * sizeof *m->keys) : NULL;
-    return m->frame && m->vertices && (j->order != ORDER_DEPTH || m->depth) && (j->order != ORDER_PAINTER || (m->order && m->keys));
+    return m->frame && m->vertices && (j->order != ORDER_DEPTH || m->depth) &&
+           (j->order != ORDER_PAINTER || (m->order && m->keys));
 }
 
 static void memory_free(memory *m)
@@ -328,7 +329,8 @@ static int draw(const job *j, const lmb_mesh *mesh, const memory *m, lmb_surface
     for (top = 0; top < j->height && !error; top += j->strip) {
         int bottom = top + j->strip < j->height ? top + j->strip : j->height;
         lmb_surface strip;
-        lmb_surface_strip(&strip, (enum lmb_format)j->format, m->frame + (size_t)top * row_bytes, m->depth, j->width, top, bottom);
+        lmb_surface_strip(&strip, (enum lmb_format)j->format, m->frame + (size_t)top * row_bytes, m->depth, j->width, top,
+                          bottom);
         lmb_clear(&strip, j->background);
         *shaded += lmb_draw_mesh(&strip, mesh, &pose, &camera, &look, m->vertices, m->order);
     }
@@ -390,8 +392,32 @@ static int read_mesh(const job *j, lmb_mesh *mesh)
 
 int main(int argc, char **argv)
 {
-    job j = {NULL, NULL, 240, 240, 0, LMB_RGB565, LMB_MODEL_GLOSS, LMB_STEP_QUADRATIC, LMB_LOBE_TUNED, ORDER_DEPTH, 0, 0, {0, 0, 0},
-             1, 3, 0.1, 0.7, 0.5, 16, {0x3c, 0x8c, 0xff}, {255, 255, 255}, {18, 20, 26}, {{{0, 0, 0}, {0, 0, 0}}}, 0, false, false};
+    job j = {NULL,
+             NULL,
+             240,
+             240,
+             0,
+             LMB_RGB565,
+             LMB_MODEL_GLOSS,
+             LMB_STEP_QUADRATIC,
+             LMB_LOBE_TUNED,
+             ORDER_DEPTH,
+             0,
+             0,
+             {0, 0, 0},
+             1,
+             3,
+             0.1,
+             0.7,
+             0.5,
+             16,
+             {0x3c, 0x8c, 0xff},
+             {255, 255, 255},
+             {18, 20, 26},
+             {{{0, 0, 0}, {0, 0, 0}}},
+             0,
+             false,
+             false};
     lmb_mesh mesh;
     int result = parse(&j, argc, argv);
     if (result >= 0) return result;

@@ -114,9 +114,8 @@ static int next_statement(struct reader *r, char **statement)
     size_t from = 0, searched = 0; /* counted from start, which moves */
     r->line = r->lines + 1;
     for (;;) {
-        char *feed = r->end == r->start + searched
-                         ? NULL
-                         : memchr(r->buffer + r->start + searched, '\n', r->end - r->start - searched);
+        char *feed =
+            r->end == r->start + searched ? NULL : memchr(r->buffer + r->start + searched, '\n', r->end - r->start - searched);
         if (!feed && !r->at_end) {
             searched = r->end - r->start;
             if (refill(r)) return -1;

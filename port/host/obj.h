@@ -18,12 +18,12 @@
 
 #include "polygon.h"
 
-#define OBJ_NUMBER_MAX 1e30                   /* its fourth power is still a double */
-#define OBJ_STATEMENT_MAX ((size_t)16 << 20)  /* bytes of one statement, continued lines included */
-#define OBJ_PROGRESS_SIZE (2L << 20)          /* progress is shown for files larger than this, in bytes */
-#define OBJ_KEYWORDS 32                       /* skipped keywords that are counted apart */
-#define OBJ_QUOTE 36                          /* room for a word from the file in quotes, cut and made printable */
-#define OBJ_NONE UINT32_MAX                   /* a corner without a normal */
+#define OBJ_NUMBER_MAX 1e30                  /* its fourth power is still a double */
+#define OBJ_STATEMENT_MAX ((size_t)16 << 20) /* bytes of one statement, continued lines included */
+#define OBJ_PROGRESS_SIZE (2L << 20)         /* progress is shown for files larger than this, in bytes */
+#define OBJ_KEYWORDS 32                      /* skipped keywords that are counted apart */
+#define OBJ_QUOTE 36                         /* room for a word from the file in quotes, cut and made printable */
+#define OBJ_NONE UINT32_MAX                  /* a corner without a normal */
 
 struct obj_corner {
     uint32_t position, normal; /* from 0; normal may be OBJ_NONE */

@@ -55,10 +55,7 @@ static struct flat flatten(struct point3 p, struct point3 origin, struct point3 
 }
 
 /* Twice the area of abc, positive when it runs counter-clockwise. */
-static double turn(struct flat a, struct flat b, struct flat c)
-{
-    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
+static double turn(struct flat a, struct flat b, struct flat c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
 
 static int same(struct flat a, struct flat b) { return a.x == b.x && a.y == b.y; }
 

@@ -65,8 +65,8 @@ static void still_life(scene *s)
     lmb_camera_perspective(&s->camera, s->width, s->height, 400 * UNIT, UNIT, 16 * UNIT);
     place(add(s, &mesh_teapot, SCENE_MESH_ONLY, glossy(235, 235, 240, 60), lmb_rotation(TURN(20), TURN(-30), 0)), -UNIT / 2,
           -UNIT / 8, -UNIT * 4);
-    place(add(s, &mesh_torus, SCENE_TORUS, glossy(220, 60, 40, 30), lmb_rotation(TURN(-62), TURN(20), 0)), UNIT * 6 / 7, -UNIT / 2,
-          -5 * UNIT);
+    place(add(s, &mesh_torus, SCENE_TORUS, glossy(220, 60, 40, 30), lmb_rotation(TURN(-62), TURN(20), 0)), UNIT * 6 / 7,
+          -UNIT / 2, -5 * UNIT);
     place(add(s, &mesh_icosphere_1280, SCENE_SPHERE, glossy(60, 140, 230, 120), lmb_rotation(0, 0, 0)), UNIT * 5 / 4, UNIT / 2,
           -7 * UNIT);
     place(add(s, &mesh_icosphere_320, SCENE_SPHERE, glossy(90, 190, 80, 12), lmb_rotation(TURN(10), TURN(40), 0)), -UNIT * 7 / 4,

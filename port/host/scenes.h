@@ -6,8 +6,8 @@
 #include "../fill.h"
 
 #define SCENE_OBJECTS 6
-#define SCENE_NAMES                                                                                                          \
-    "icosphere-320", "icosphere-320-tight", "icosphere-1280", "icosphere-1280-tight", "torus", "torus-tight", "teapot",      \
+#define SCENE_NAMES                                                                                                              \
+    "icosphere-320", "icosphere-320-tight", "icosphere-1280", "icosphere-1280-tight", "torus", "torus-tight", "teapot",          \
         "teapot-tight", "still-life"
 
 enum scene_surface { SCENE_MESH_ONLY, SCENE_SPHERE, SCENE_TORUS }; /* the true surface behind a mesh, where there is one */
@@ -29,8 +29,8 @@ typedef struct scene {
     unsigned lights;
     lmb_camera camera;
     lmb_rgb background;
-    bool depth;                 /* needs a depth buffer */
-    enum lmb_step_kind step;    /* the cheapest that shows no fault here */
+    bool depth;              /* needs a depth buffer */
+    enum lmb_step_kind step; /* the cheapest that shows no fault here */
 } scene;
 
 /* How many scenes there are, and scene i of them. */
