@@ -72,7 +72,8 @@ static inline int32_t lmb_shl_wrap(int32_t a, unsigned s) { return lmb_signed((u
  * with 32-bit products alone take a hundred bytes for it. */
 int32_t lmb_mul_shr_sat(int32_t a, int32_t b, unsigned s);
 
-/* a * b + c * d of whole products; must fit int64_t. For what is rare: where 64-bit products are calls it costs hundreds of cycles. */
+/* a * b + c * d of whole products; must fit int64_t. For what is rare: where 64-bit products are calls it costs hundreds of
+ * cycles. */
 static inline int64_t lmb_dot_wide(int32_t a, int32_t b, int32_t c, int32_t d) { return (int64_t)a * b + (int64_t)c * d; }
 
 /* How many bits |a| | |b| has, 0 to 64. */

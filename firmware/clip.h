@@ -5,9 +5,9 @@
 
 #include "lambent.h"
 
-/* Triangles are cut at LMB_GUARD pixels from the axis; with the axis inside a frame of at most 16384 pixels what is left stays within
- * LMB_SCREEN_MAX. All that reach beyond LMB_GUARD_NEAR are cut, also where that changes nothing: neighbours along an edge must do the same,
- * and the distance to a plane of the guard is known less exactly than pixels are. */
+/* Triangles are cut at LMB_GUARD pixels from the axis; with the axis inside a frame of at most 16384 pixels what is left stays
+ * within LMB_SCREEN_MAX. All that reach beyond LMB_GUARD_NEAR are cut, also where that changes nothing: neighbours along an
+ * edge must do the same, and the distance to a plane of the guard is known less exactly than pixels are. */
 #define LMB_GUARD 16000
 #define LMB_GUARD_NEAR 15000
 

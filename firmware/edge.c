@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* Triangle edges, walked row by row without error.
  *
- * On the row with centre yc an edge crosses at X = x0 + dx (yc - y0) / dy, in 1/16 pixel. The first pixel whose centre is not left
- * of it is ceil((X - 8) / 16). Bresenham's method keeps that quotient and its remainder: x, and gap = 16 dy x - N with
- * N = (x0 - 8) dy + dx (yc - y0), 0 <= gap < 16 dy. A row adds 16 dx to N, so x grows by floor(dx / dy) and gap shrinks by
- * 16 (dx mod dy), with one carry. Spans take the same ceiling at both ends: that is the top-left rule, and neighbours that share
- * an edge, in whatever direction, get the same number.
+ * On the row with centre yc an edge crosses at X = x0 + dx (yc - y0) / dy, in 1/16 pixel. The first pixel whose centre is not
+ * left of it is ceil((X - 8) / 16). Bresenham's method keeps that quotient and its remainder: x, and gap = 16 dy x - N with N =
+ * (x0 - 8) dy + dx (yc - y0), 0 <= gap < 16 dy. A row adds 16 dx to N, so x grows by floor(dx / dy) and gap shrinks by 16 (dx
+ * mod dy), with one carry. Spans take the same ceiling at both ends: that is the top-left rule, and neighbours that share an
+ * edge, in whatever direction, get the same number.
  *
  * Quotients by 16 dy come from a reciprocal of 16 bits, twice, and one correction of at most one; nothing is approximated in the
  * end. No product needs 64 bits.
@@ -21,8 +21,9 @@ typedef struct divisor {
     unsigned shift;
 } divisor;
 
-/* floor(a / modulus); the rest goes to *rest. |a| < 2^31, |a / modulus| < 2^21: the first estimate errs by at most 2^-14 of itself and
- * one for the floor, so what is left is under 2^17 + modulus, and under 130 times the modulus; the second errs by at most one. */
+/* floor(a / modulus); the rest goes to *rest. |a| < 2^31, |a / modulus| < 2^21: the first estimate errs by at most 2^-14 of
+ * itself and one for the floor, so what is left is under 2^17 + modulus, and under 130 times the modulus; the second errs by at
+ * most one. */
 static int32_t divide(int32_t a, const divisor *by, uint32_t *rest)
 {
     int32_t quotient = 0;

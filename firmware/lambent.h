@@ -60,7 +60,8 @@ extern "C" {
 #include LMB_CONFIG
 #endif
 
-/* Most directional lights a look can hold, 1 to 4. Each costs 24 bytes in a triangle and 12 in a span for each of its two terms. */
+/* Most directional lights a look can hold, 1 to 4. Each costs 24 bytes in a triangle and 12 in a span for each of its two
+ * terms. */
 #ifndef LMB_LIGHTS
 #define LMB_LIGHTS 4
 #endif
@@ -95,7 +96,8 @@ enum lmb_error {
     LMB_ERROR_LIGHTS = -2 /* more lights than LMB_LIGHTS */
 };
 
-/* --------------------------------------------------------------------------------------------------------------------- vectors */
+/* --------------------------------------------------------------------------------------------------------------------- vectors
+ * */
 
 /* A unit vector or a matrix row in Q2.14, or a mesh position in mesh units. */
 typedef struct lmb_vec {
@@ -192,7 +194,8 @@ typedef struct lmb_lobe {
 #define LMB_LOBE_MAX_ERROR (1.0 / 1000)
 int lmb_lobe_prepare(lmb_lobe *lobe, enum lmb_lobe_kind kind, unsigned n, uint16_t tolerance);
 
-/* ----------------------------------------------------------------------------------------------------------- look: what light does */
+/* ----------------------------------------------------------------------------------------------------------- look: what light
+ * does */
 
 typedef struct lmb_rgb {
     uint8_t r, g, b;
@@ -245,7 +248,8 @@ static inline unsigned lmb_look_lights(const lmb_look *look) { return LMB_LIGHTS
 int lmb_look_prepare(lmb_look *look, const lmb_material *material, const lmb_light *lights, unsigned light_count,
                      enum lmb_model model, enum lmb_step_kind step);
 
-/* Takes another lobe than the tuned one, or fewer squarings where tolerance allows: see lmb_lobe_prepare. Returns as that does. */
+/* Takes another lobe than the tuned one, or fewer squarings where tolerance allows: see lmb_lobe_prepare. Returns as that does.
+ * */
 int lmb_look_lobe(lmb_look *look, enum lmb_lobe_kind kind, uint16_t tolerance);
 
 /* Light and half vectors in the space of the normals that they meet: turned once per mesh, so that normals never are. */
@@ -258,7 +262,8 @@ typedef struct lmb_rays {
 /* The rays of a look for normals of a mesh turned by rotation; NULL: normals are given in space. */
 void lmb_rays_prepare(lmb_rays *rays, const lmb_look *look, const lmb_matrix *rotation);
 
-/* --------------------------------------------------------------------------------------------------- terms along a row of pixels */
+/* --------------------------------------------------------------------------------------------------- terms along a row of
+ * pixels */
 
 /* One dot product (N.L, N.H, or a component of a normal) from pixel to pixel, Q2.30 times a power of two that its owner knows.
  * Over a triangle: f += d, d += c. Along an arc: see arc.h. */
@@ -322,7 +327,8 @@ void lmb_arc_dot(const lmb_arc *arc, lmb_term *term, lmb_vec from, lmb_vec to, l
 int32_t lmb_excess_q28(lmb_vec v);
 int32_t lmb_cosine_q30(lmb_vec a, lmb_vec b, int32_t excess_q28);
 
-/* ------------------------------------------------------------------------------------------------------------ triangles into spans */
+/* ------------------------------------------------------------------------------------------------------------ triangles into
+ * spans */
 
 /* A corner on the screen. */
 typedef struct lmb_vertex {
@@ -416,7 +422,8 @@ bool lmb_triangle_begin(lmb_triangle *triangle, const lmb_look *look, const lmb_
 /* The next span, top to bottom; false when there is none left. Every pixel of the triangle inside the window comes once. */
 bool lmb_triangle_next(lmb_triangle *triangle, lmb_span *span);
 
-/* --------------------------------------------------------------------------------------------------------- meshes into triangles */
+/* --------------------------------------------------------------------------------------------------------- meshes into
+ * triangles */
 
 /* Where constant data live. Empty where flash is in the address space. */
 #ifndef LMB_FLASH

@@ -54,7 +54,8 @@ void lmb_mesh_begin(lmb_walk *walk, const lmb_mesh *mesh, const lmb_pose *pose, 
 /* Bits that edges keep for the cross product: two products of 14 bits each, less than 2^29. */
 #define FACE_BITS 14
 
-/* The normal of a face, from its corners: the cross product of two edges, normalised. Of a face without area: some unit vector. */
+/* The normal of a face, from its corners: the cross product of two edges, normalised. Of a face without area: some unit vector.
+ * */
 static lmb_vec face_normal(const lmb_mesh *mesh, const uint16_t *index)
 {
     const lmb_vec a = mesh->positions[index[0]], b = mesh->positions[index[1]], c = mesh->positions[index[2]];

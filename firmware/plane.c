@@ -5,18 +5,18 @@
  *
  *     f = f0 + l1 (f1 - f0 + 4 b01) + l2 (f2 - f0 + 4 b20) - 4 b01 l1^2 - 4 b20 l2^2 + 4 (b12 - b01 - b20) l1 l2
  *
- * where b is the bulge of an edge (Bishop & Weimer 1986 take the same six values). In pixels l = g.p with constant gradients g, so f
- * has constant second differences: two additions a pixel.
+ * where b is the bulge of an edge (Bishop & Weimer 1986 take the same six values). In pixels l = g.p with constant gradients g,
+ * so f has constant second differences: two additions a pixel.
  *
- * The state is Q2.30 and wraps. Gradients across a sliver leave (-2, 2) and wrap too; what is added up inside the triangle does not,
- * and sums modulo 2^32 do not care about the way. For that to hold every product is formed whole and shifted once, into the
- * wrapping state: shifting a wrapped number would lose its top.
+ * The state is Q2.30 and wraps. Gradients across a sliver leave (-2, 2) and wrap too; what is added up inside the triangle does
+ * not, and sums modulo 2^32 do not care about the way. For that to hold every product is formed whole and shifted once, into
+ * the wrapping state: shifting a wrapped number would lose its top.
  *
- * Numerators a px + b py are exact integers, in the linear part and in the quadratic one; only what multiplies the whole is rounded:
- * the rises and bulges (14 bits and more) and one reciprocal of the area, or of its square, which all six numbers of a plane share. An
- * error of such a factor scales the function and does not tear it, so errors do not grow with the triangle's length over its height:
- * they stay under 2^-15 of the rise and 2^-13 of four bulges, plus 2^-30 n^2 over n pixels. (Rounded gradients of lambda were tried first: 4 b 2^-14 times that ratio,
- * 99 levels in the worst sliver.)
+ * Numerators a px + b py are exact integers, in the linear part and in the quadratic one; only what multiplies the whole is
+ * rounded: the rises and bulges (14 bits and more) and one reciprocal of the area, or of its square, which all six numbers of a
+ * plane share. An error of such a factor scales the function and does not tear it, so errors do not grow with the triangle's
+ * length over its height: they stay under 2^-15 of the rise and 2^-13 of four bulges, plus 2^-30 n^2 over n pixels. (Rounded
+ * gradients of lambda were tried first: 4 b 2^-14 times that ratio, 99 levels in the worst sliver.)
  *
  * Triangles that reach over more than 512 pixels take 64-bit products for the same, and their anchor, the pixel where planes are
  * set up, is moved from corner 0 into [0, ANCHOR_MAX], so that the rounding of second differences, 2^-31, is not carried over ten
@@ -66,8 +66,8 @@ static int32_t over_area(int32_t numerator, const lmb_lattice *lattice, int32_t 
     return join(lmb_add_wrap(high, (int32_t)(low >> 16)), (int32_t)(low & 0xffffu), shift);
 }
 
-/* Form i: products of two pairs of numerators, which stand for themselves times 2^shift in all; shifted down where they are long, so
- * that each stays under 2^30. */
+/* Form i: products of two pairs of numerators, which stand for themselves times 2^shift in all; shifted down where they are
+ * long, so that each stays under 2^30. */
 static void form_set(lmb_lattice *l, unsigned i, const int32_t u[2], const int32_t v[2], unsigned shift)
 {
     int32_t *form = l->form[i];
@@ -84,8 +84,8 @@ static void form_set(lmb_lattice *l, unsigned i, const int32_t u[2], const int32
     }
 }
 
-/* Numerators at the anchor, shifted down to 15 bits: the whole of lambda moves by that, at most 8 / area, in value and in differences
- * alike. Large: to 30 bits. Returns the shift. */
+/* Numerators at the anchor, shifted down to 15 bits: the whole of lambda moves by that, at most 8 / area, in value and in
+ * differences alike. Large: to 30 bits. Returns the shift. */
 static unsigned numerators_at(const lmb_lattice *l, int32_t at[2])
 {
     const int32_t *step = l->step, *offset = l->offset;
@@ -102,9 +102,9 @@ static unsigned numerators_at(const lmb_lattice *l, int32_t at[2])
     return fit(at, 2, 15);
 }
 
-/* The products that quadratics need: in each direction the first difference takes the numerators half a pixel on, which is half of
- * what lambda's square has for it. Eight steps, half a pixel, are less than 2^16, so with at < 2^15 and steps < 2^13 sums of two
- * products stay under 2^31; of a large triangle products are shifted. */
+/* The products that quadratics need: in each direction the first difference takes the numerators half a pixel on, which is half
+ * of what lambda's square has for it. Eight steps, half a pixel, are less than 2^16, so with at < 2^15 and steps < 2^13 sums of
+ * two products stay under 2^31; of a large triangle products are shifted. */
 static void lattice_curve(lmb_lattice *l)
 {
     int32_t at[2], on[2];
@@ -166,8 +166,8 @@ void lmb_lattice_begin(lmb_lattice *l, const lmb_vertex *const corner[3], bool c
     if (l->curved) lattice_curve(l);
 }
 
-/* The sum of a form's three products with the curvatures q, |q| < 2^14, over 2^shift, to nearest. Products are formed in two halves;
- * carries go up at once: high parts sum to less than 3 * 2^29, low ones stay under 2^30. */
+/* The sum of a form's three products with the curvatures q, |q| < 2^14, over 2^shift, to nearest. Products are formed in two
+ * halves; carries go up at once: high parts sum to less than 3 * 2^29, low ones stay under 2^30. */
 static int32_t form_apply(const int32_t form[3], const int32_t q[3], int32_t shift)
 {
     int32_t high = 0, low = 0;
@@ -206,8 +206,8 @@ static void plane_curve(lmb_plane *plane, const lmb_lattice *l, const lmb_net *n
     plane->dxy = value[5];
 }
 
-/* n times the offset over 2^(4 + *drop), below 2^31: what lies between corner 0 and the anchor. Within a pixel in 32 bits, where the
- * low four bits of the numerators go apart. */
+/* n times the offset over 2^(4 + *drop), below 2^31: what lies between corner 0 and the anchor. Within a pixel in 32 bits,
+ * where the low four bits of the numerators go apart. */
 static int32_t offset_of(const lmb_lattice *l, const int32_t n[2], int32_t *drop)
 {
     int32_t sum = 0;

@@ -5,8 +5,8 @@
 
 #include "lambent.h"
 
-/* What all planes of one triangle share. With p a position relative to corner 0 in 1/16 pixel, the barycentric coordinates of corners
- * 1 and 2 are lambda1 = (step[0] px + step[2] py) / area and lambda2 = (step[1] px + step[3] py) / area. */
+/* What all planes of one triangle share. With p a position relative to corner 0 in 1/16 pixel, the barycentric coordinates of
+ * corners 1 and 2 are lambda1 = (step[0] px + step[2] py) / area and lambda2 = (step[1] px + step[3] py) / area. */
 typedef struct lmb_lattice {
     bool large;      /* reaches over more than 512 pixels: products are formed in 64 bits, and the anchor may be moved */
     bool curved;     /* square_q16 and what follows are valid */

@@ -5,9 +5,9 @@
  * unit, and in that form their length costs v a relative 2^-14 instead of an absolute one, which n would multiply. The lobe's own
  * argument s = alpha - slope v is affine in v, so the planes carry s and the pixel only squares (paper 000; paper 001, eq. 13).
  *
- * Quadratics pass through the mid-edge values of the normalised mean normal M = P (Na + Nb) / 2, P = 1 / sqrt(1 - u/2), u = 1 - Na.Nb
- * (DESIGN, after Bishop & Weimer 1986), so the bulge of f is (P - 1) (fa + fb) / 2 and that of v is (P - 1) ((va + vb) / 2 - 1): no
- * mid normal is built.
+ * Quadratics pass through the mid-edge values of the normalised mean normal M = P (Na + Nb) / 2, P = 1 / sqrt(1 - u/2), u = 1 -
+ * Na.Nb (DESIGN, after Bishop & Weimer 1986), so the bulge of f is (P - 1) (fa + fb) / 2 and that of v is (P - 1) ((va + vb) /
+ * 2 - 1): no mid normal is built.
  */
 #include "shade.h"
 
@@ -16,8 +16,8 @@
 
 #define ONE_Q28 0x10000000
 
-/* P - 1 = 1 / sqrt(1 - u/2) - 1, Q4.28. For u up to 1/4 (41 degrees) u/4 (1 + 3/8 u + 5/32 u^2 + 35/512 u^3), Taylor's series, short
- * of the truth by at most 1.3e-4 of it; above by reciprocal square root. u beyond LMB_ARC_U_MAX counts as that. */
+/* P - 1 = 1 / sqrt(1 - u/2) - 1, Q4.28. For u up to 1/4 (41 degrees) u/4 (1 + 3/8 u + 5/32 u^2 + 35/512 u^3), Taylor's series,
+ * short of the truth by at most 1.3e-4 of it; above by reciprocal square root. u beyond LMB_ARC_U_MAX counts as that. */
 static int32_t bulge_factor_q28(int32_t u_q28)
 {
     if (u_q28 <= ONE_Q28 / 4) {
@@ -63,8 +63,8 @@ static int32_t scaled(int32_t x, uint32_t slope_q16, int32_t down)
     return down >= 0 ? lmb_shr(product, (unsigned)down) : lmb_shl(product, (unsigned)-down);
 }
 
-/* Turns a net of v into one of s / 2^exponent, s = alpha - slope v, with the exponent that keeps it inside (-2, 2). Returns the value
- * up to which the lobe is zero. */
+/* Turns a net of v into one of s / 2^exponent, s = alpha - slope v, with the exponent that keeps it inside (-2, 2). Returns the
+ * value up to which the lobe is zero. */
 static int32_t net_argument(lmb_net *net, const lmb_lobe *lobe, uint8_t *exponent)
 {
     /* slope v = product * 2^(slope_shift + 1) must stay under 2, 2^29 */

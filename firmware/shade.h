@@ -5,8 +5,8 @@
 
 #include "plane.h"
 
-/* Sets the terms of a triangle up for look->model and look->step: planes, or the choice of arcs. corner 0, 1, 2 as the lattice has
- * them; the lattice is curved if the look asks for quadratics. */
+/* Sets the terms of a triangle up for look->model and look->step: planes, or the choice of arcs. corner 0, 1, 2 as the lattice
+ * has them; the lattice is curved if the look asks for quadratics. */
 void lmb_shade_begin(lmb_triangle *triangle, const lmb_lattice *lattice, const lmb_vertex *const corner[3]);
 
 /* Starts all terms of an arc span between two normals, length and start as lmb_arc_prepare has them. */

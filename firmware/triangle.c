@@ -2,8 +2,8 @@
 /* Triangles into spans: culling, the rows between the edges, terms at each span's first pixel (the two stages of paper 001:
  * prepare, here along the edges and over the triangle; shade, along the span, in the caller's loop).
  *
- * Whatever part of the frame the window shows, a pixel gets the same bits: planes are exact modulo 2^32 wherever they are evaluated,
- * and arcs are always stepped from the edge's top and the span's left end, seen or not.
+ * Whatever part of the frame the window shows, a pixel gets the same bits: planes are exact modulo 2^32 wherever they are
+ * evaluated, and arcs are always stepped from the edge's top and the span's left end, seen or not.
  */
 #include "edge.h"
 #include "shade.h"
@@ -44,7 +44,8 @@ static bool in_window(const lmb_vertex *const corner[3], const lmb_window *windo
     return low < high && high > window->left && low < window->right;
 }
 
-/* ----------------------------------------------------------------------------------------------------------------- arcs on edges */
+/* ----------------------------------------------------------------------------------------------------------------- arcs on
+ * edges */
 
 /* Q28.4 in the unit of arcs; x is not below zero, and an edge is less than 65536 pixels tall. */
 static uint32_t arc_unit(int32_t x) { return (uint32_t)x << 12; }
@@ -100,7 +101,8 @@ static lmb_vec edge_arc_normal(const lmb_edge_arc *e)
     return n;
 }
 
-/* ----------------------------------------------------------------------------------------------------------------------- set-up */
+/* -----------------------------------------------------------------------------------------------------------------------
+ * set-up */
 
 /* Walks a side, 0 the left one and 1 the right, from one of the sorted corners to another; the first row to be shown is t->y. */
 static void side_begin(lmb_triangle *t, unsigned side, unsigned from, unsigned to)
@@ -162,7 +164,8 @@ bool lmb_triangle_begin(lmb_triangle *t, const lmb_look *look, const lmb_rays *r
     return true;
 }
 
-/* ------------------------------------------------------------------------------------------------------------------------ spans */
+/* ------------------------------------------------------------------------------------------------------------------------
+ * spans */
 
 /* How far left of the centre of pixel edge->x the edge crosses, in the unit of arcs: gap / modulus, less than a pixel.
  * gap < modulus < 2^(shift + 1), so gap raised by 31 - shift fits 32 bits. Its upper 16 are enough, and all there is on edges of

@@ -682,9 +682,10 @@ static double extent(const lmb_vertex v[3])
 }
 
 /* What plane.c says of corners up to 512 pixels apart, whatever the shape: a linear part within 2^-16 of rises up to two, a
- * quadratic one within 2^-13 of its coefficients, four times the bulges, floored to 14 bits; numerators at the anchor are floored by
- * less than four, so barycentric coordinates may be off by that over the area; and second differences are rounded. Beyond, and where a triangle is so thin that plane.c
- * leaves its curve out, a term must be no worse than it would be without its curve, but for 1/256. */
+ * quadratic one within 2^-13 of its coefficients, four times the bulges, floored to 14 bits; numerators at the anchor are
+ * floored by less than four, so barycentric coordinates may be off by that over the area; and second differences are rounded.
+ * Beyond, and where a triangle is so thin that plane.c leaves its curve out, a term must be no worse than it would be without
+ * its curve, but for 1/256. */
 #define LINEAR_ERROR ldexp(1, -15)
 #define CURVED_ERROR ldexp(1, -13)
 

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* The filler: spans into pixels, in loops that the compiler fuses with the library's inline steps.
  *
- * A channel is level = (ambient + sum of diffuse * d + specular * s) >> shift, one 32-bit sum: d and s are UQ1.15, the coefficients
- * have 15 bits, and each of the three parts is at most 2^30 (one light), so the sum stays under 2^32 and is saturated once at
- * the end. With more lights each light's sum is saturated before the next; all parts are positive, so that changes nothing.
+ * A channel is level = (ambient + sum of diffuse * d + specular * s) >> shift, one 32-bit sum: d and s are UQ1.15, the
+ * coefficients have 15 bits, and each of the three parts is at most 2^30 (one light), so the sum stays under 2^32 and is
+ * saturated once at the end. With more lights each light's sum is saturated before the next; all parts are positive, so that
+ * changes nothing.
  *
  * One loop is written, lit_run; constant arguments make eight of it: two formats, planes or arcs, highlight or not.
  */
@@ -66,7 +67,8 @@ void lmb_paint_prepare(lmb_paint *paint, const lmb_look *look, enum lmb_format f
 /* From a term in Q2.30 to the lobe's entry, Q16.16. */
 #define LOBE_ENTRY_SHIFT 14
 
-/* ----------------------------------------------------------------------------------------------------------------------- pixels */
+/* -----------------------------------------------------------------------------------------------------------------------
+ * pixels */
 
 static ALWAYS_INLINE uint32_t level(uint32_t sum, channel c)
 {

@@ -5,7 +5,8 @@
 
 #include "../fill.h"
 
-/* A pixel of a surface as 8-bit r, g, b; RGB565 levels are widened to 255, rounded. Coordinates count from the window's corner. */
+/* A pixel of a surface as 8-bit r, g, b; RGB565 levels are widened to 255, rounded. Coordinates count from the window's corner.
+ * */
 lmb_rgb bmp_pixel(const lmb_surface *surface, int x, int y);
 
 /* Writes a surface as a BMP file; "-" is standard output. Returns 0, or -1 with errno set; a file half written is removed. */
