@@ -180,6 +180,7 @@ LINK = $(CC) $(LMB_CFLAGS) $(CFLAGS) $(filter %.o,$^) $(filter %.a,$^) -o $@ $(L
 REFERENCE := $(patsubst %.c,$(B)/%.o,$(wildcard hosttest/reference*.c))
 
 $(B)/bin/test_meshes: $(MESHES:%=$(B)/meshes/%.o)
+$(B)/bin/test_raster $(B)/bin/test_terms: $(B)/hosttest/shapes.o
 $(B)/bin/test_obj: $(B)/port/host/polygon.o $(B)/port/host/mesh_build.o
 $(B)/bin/report_image: $(SCENES) $(REFERENCE)
 
