@@ -16,12 +16,12 @@ static bool is_unit(const lmb_vec *d)
     return length2 >= LENGTH2_MIN && length2 <= LENGTH2_MAX;
 }
 
-/* The product of two UQ0.8 colours as UQ1.15: a b 32768 / 255^2, rounded to nearest. 0x81020409 is 2^47 / 255^2, rounded up;
- * its two halves keep products within 32 bits: 255^2 0x8102 < 2^31. */
+/* The product of two UQ0.8 colours as UQ1.15: a b 32768 / 255^2, rounded to nearest. 0x81018203 is 2^47 / 255^2, rounded up;
+ * its two halves keep products within 32 bits: 255^2 0x8101 < 2^31. */
 static uint16_t product_q15(uint32_t a, uint32_t b)
 {
     uint32_t product = lmb_mulu(a, b);
-    return (uint16_t)((lmb_mulu(product, 0x8102) + (lmb_mulu(product, 0x0409) >> 16) + 0x8000u) >> 16);
+    return (uint16_t)((lmb_mulu(product, 0x8101) + (lmb_mulu(product, 0x8203) >> 16) + 0x8000u) >> 16);
 }
 
 LMB_STATIC_ASSERT(sizeof(lmb_rgb) == 3); /* so colours can be taken as three bytes */

@@ -240,42 +240,6 @@ static void random_look(test_random *random, lmb_look *look, int model, int step
     if (lmb_look_prepare(look, &material, light, lights, (enum lmb_model)model, (enum lmb_step_kind)step) != 0) abort();
 }
 
-/* The last light has the direction given, the others look along the axis. */
-static void test_look_errors(void)
-{
-    static const struct {
-        unsigned lights, model, step;
-        uint16_t shininess;
-        lmb_vec last;
-        int want;
-    } cases[] = {
-        {1, 3, 0, 1, {0, 0, 16384}, LMB_OK},           {LMB_LIGHTS, 3, 1, LMB_SHININESS_MAX, {0, 0, 16384}, LMB_OK},
-        {2, 3, 2, 1, {0, 0, -16384}, LMB_OK}, /* from behind: the half vector vanishes */
-        {1, 3, 2, 1, {0, 17100, 0}, LMB_OK},           {1, 3, 2, 1, {-15660, 0, 0}, LMB_OK},
-        {0, 3, 0, 1, {0, 0, 16384}, LMB_ERROR_LIGHTS}, {LMB_LIGHTS + 1, 3, 0, 1, {0, 0, 16384}, LMB_ERROR_LIGHTS},
-        {1, 4, 0, 1, {0, 0, 16384}, LMB_ERROR_VALUE},  {1, 3, 3, 1, {0, 0, 16384}, LMB_ERROR_VALUE},
-        {1, 3, 0, 0, {0, 0, 16384}, LMB_ERROR_VALUE},  {1, 3, 0, LMB_SHININESS_MAX + 1, {0, 0, 16384}, LMB_ERROR_VALUE},
-        {2, 3, 0, 1, {0, 0, 0}, LMB_ERROR_VALUE},      {2, 3, 0, 1, {0, 17300, 0}, LMB_ERROR_VALUE},
-        {4, 3, 0, 1, {0, 0, -15460}, LMB_ERROR_VALUE}, {3, 3, 0, 1, {32767, 32767, 32767}, LMB_ERROR_VALUE},
-    };
-    lmb_material material = {{1, 2, 3}, {4, 5, 6}, {7, 8, 9}, 1};
-    lmb_light light[LMB_LIGHTS + 1];
-    lmb_look look;
-    unsigned i, k, n = sizeof cases / sizeof *cases;
-    int faults = 0, got;
-    for (i = 0; i < n; i++) {
-        for (k = 0; k <= LMB_LIGHTS; k++) {
-            light[k].direction = k + 1 == cases[i].lights ? cases[i].last : vec(0, 0, 16384);
-            light[k].colour = rgb(255, 255, 255);
-        }
-        material.shininess = cases[i].shininess;
-        got = lmb_look_prepare(&look, &material, light, cases[i].lights, (enum lmb_model)cases[i].model,
-                               (enum lmb_step_kind)cases[i].step);
-        if (got != cases[i].want) printf("  case %u gives %d, not %d\n", i, got, cases[i].want), faults++;
-    }
-    test_verdict(!faults, "look: good arguments are taken, bad ones refused", "%d faults in %u cases", faults, n);
-}
-
 /* ---------------------------------------------------------------------------------------------------------------------- depth */
 
 static void flat_span(lmb_span *span, int x, int y, int length, int depth)
@@ -615,7 +579,6 @@ int main(int argc, char **argv)
     test_layout();
     test_clear_levels();
     test_clear_bounds(&random);
-    test_look_errors();
     test_depth(&random);
     for (i = 0; i < 24; i++) test_strips(&random, i / 6, i / 2 % 3, i & 1);
     for (i = 0; i < 16; i++) test_levels(&random, i / 4, i & 1, i >> 1 & 1);
