@@ -32,8 +32,8 @@
  *              depth                                   UQ0.16   65535 far    0 is nearest
  *
  * Light      intensity = ambient + sum over lights of diffuse * max(0, N.L) + specular * lobe(N.H), per channel, then saturated
- *            at one. H is the normalised half vector of L and the viewer, who is far away along +z (paper 001, eq. 12).
- *            Colours are taken as they are: no gamma is applied.
+ *            at one. N.L and N.H count as at most one. H is the normalised half vector of L and the viewer, who is far away
+ *            along +z (paper 001, eq. 12). Colours are taken as they are: no gamma is applied.
  * Errors     mathematics returns values, never a status. Set-up calls return 0 or a negative enum lmb_error.
  * Memory     the caller owns every struct; no heap, no globals. Everything is re-entrant: two cores may draw two strips.
  */
@@ -50,7 +50,7 @@
 extern "C" {
 #endif
 
-/* ---------------------------------------------------------------------------------------------------- version, configuration */
+/* ------------------------------------------------------------------------------------------------ version, configuration */
 
 #define LMB_VERSION_MAJOR 0
 #define LMB_VERSION_MINOR 1
@@ -67,8 +67,8 @@ extern "C" {
 #endif
 LMB_STATIC_ASSERT(LMB_LIGHTS >= 1 && LMB_LIGHTS <= 4);
 
-/* What is built in, 1, or left out to save flash, 0. A call that asks for what was left out returns LMB_ERROR_VALUE. In bytes of
- * Cortex-M0+ at -Os (make size prints them): */
+/* What is built in, 1, or left out to save flash, 0. A call that asks for what was left out returns LMB_ERROR_VALUE.
+ * `make size` prints what each saves. */
 #ifndef LMB_WITH_ARC
 #define LMB_WITH_ARC 1 /* LMB_STEP_ARC */
 #endif
@@ -96,8 +96,7 @@ enum lmb_error {
     LMB_ERROR_LIGHTS = -2 /* more lights than LMB_LIGHTS */
 };
 
-/* --------------------------------------------------------------------------------------------------------------------- vectors
- * */
+/* ----------------------------------------------------------------------------------------------------------------- types */
 
 /* A unit vector or a matrix row in Q2.14, or a mesh position in mesh units. */
 typedef struct lmb_vec {
@@ -108,6 +107,99 @@ typedef struct lmb_vec {
 typedef struct lmb_matrix {
     lmb_vec row[3];
 } lmb_matrix;
+
+typedef struct lmb_rgb {
+    uint8_t r, g, b;
+} lmb_rgb;
+
+typedef struct lmb_material {
+    lmb_rgb ambient, diffuse, specular;
+    uint16_t shininess; /* n of cos^n, 1 to LMB_SHININESS_MAX */
+} lmb_material;
+
+/* A directional light: unit vector from the surface towards it, and its colour. */
+typedef struct lmb_light {
+    lmb_vec direction;
+    lmb_rgb colour;
+} lmb_light;
+
+/* Which polynomial stands for cos^n: the tuned one, or W_m of paper 000 with its argument clamped at zero. */
+enum lmb_lobe_kind { LMB_LOBE_TUNED, LMB_LOBE_W2, LMB_LOBE_W4, LMB_LOBE_W8, LMB_LOBE_W16 };
+
+/* What is computed for each pixel. */
+enum lmb_model {
+    LMB_MODEL_FLAT, /* one intensity for a triangle, at the normalised sum of its normals; of a mesh, at the face's own normal */
+    LMB_MODEL_GOURAUD, /* diffuse and specular at the corners, linear between */
+    LMB_MODEL_DIFFUSE, /* N.L for each pixel, no highlight */
+    LMB_MODEL_GLOSS    /* N.L and the lobe of N.H for each pixel */
+};
+
+/* How the dot products N.L and N.H get from the corners to a pixel. */
+enum lmb_step_kind {
+    LMB_STEP_LINEAR,    /* linear over the triangle */
+    LMB_STEP_QUADRATIC, /* quadratic over the triangle through the corners and the normalised mid-edge normals */
+    LMB_STEP_ARC        /* normals turn evenly along the edges and along each span (paper 001) */
+};
+
+/* A corner on the screen. */
+typedef struct lmb_vertex {
+    int32_t x, y;   /* Q28.4, at most LMB_SCREEN_MAX in magnitude */
+    lmb_vec normal; /* unit, in the space of the rays */
+    uint16_t depth;
+} lmb_vertex;
+
+/* Pixels left <= x < right, top <= y < bottom of the frame. */
+typedef struct lmb_window {
+    int16_t left, top, right, bottom;
+} lmb_window;
+
+/* One dot product (N.L, N.H, or a component of a normal) from pixel to pixel, Q2.30 times a power of two that its owner knows.
+ * Over a triangle: f += d, d += c. Along an arc: see arc.h. */
+typedef struct lmb_term {
+    int32_t f, d, c;
+} lmb_term;
+
+/* Where constant data live. Empty where flash is in the address space. */
+#ifndef LMB_FLASH
+#define LMB_FLASH
+#endif
+
+#define LMB_SCALE_MIN (-30)
+#define LMB_SCALE_MAX (-2) /* 8192 units: a quarter of what Q16.16 holds, so that sums of products do */
+
+/* A mesh, const and ready for flash; lmb-mesh writes it from a Wavefront OBJ file. */
+typedef struct lmb_mesh {
+    const lmb_vec *positions; /* mesh units */
+    const lmb_vec *normals;   /* unit, Q2.14, one per vertex */
+    const uint16_t *indices;  /* three per triangle, counter-clockwise seen from outside */
+    uint16_t vertices;
+    uint32_t triangles;
+    int8_t scale; /* a mesh unit is 2^scale units of space, LMB_SCALE_MIN to LMB_SCALE_MAX */
+} lmb_mesh;
+
+/* Where a mesh stands: turned first, then moved. */
+typedef struct lmb_pose {
+    lmb_matrix rotation;
+    int32_t x, y, z; /* Q16.16 */
+} lmb_pose;
+
+/* A position in space, Q16.16. */
+typedef struct lmb_point {
+    int32_t x, y, z;
+} lmb_point;
+
+#ifdef __cplusplus
+}
+#endif
+
+/* What callers own and the library fills: lmb_lobe, lmb_look, lmb_rays, lmb_arc, lmb_triangle, lmb_camera, lmb_walk. */
+#include "state.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* --------------------------------------------------------------------------------------------------------------- vectors */
 
 /* Exact dot product of two unit vectors, Q4.28. |result| < 2^28 * 1.001. Vectors up to 1.41 long do not overflow. */
 int32_t lmb_dot_q28(lmb_vec a, lmb_vec b);
@@ -163,24 +255,7 @@ lmb_matrix lmb_rotation(uint16_t x, uint16_t y, uint16_t z);
 #define LMB_RECIPROCAL_MAX_ERROR (0.8 / (1L << 28))
 uint32_t lmb_reciprocal(uint32_t x, unsigned *shift);
 
-/* ------------------------------------------------------------------------------------------------------------------- the lobe */
-
-/* Which polynomial stands for cos^n: the tuned one, or W_m of paper 000 with its argument clamped at zero. */
-enum lmb_lobe_kind { LMB_LOBE_TUNED, LMB_LOBE_W2, LMB_LOBE_W4, LMB_LOBE_W8, LMB_LOBE_W16 };
-
-/* A prepared lobe: s = alpha - slope * (1 - cos), clamped at zero, then up to four multiplications and one addition (lobe.h).
- * Fields may change without notice. */
-typedef struct lmb_lobe {
-    int32_t alpha_q30;       /* s at the centre, up to 1.5; a multiple of 2^14 */
-    int32_t lift;            /* the addition: Q0.32 modulo 2^32 in the plain form, Q16.16 in the crossed one */
-    uint16_t slope;          /* mantissa in [32768, 65535] */
-    uint16_t floor_q15;      /* the lobe is zero where s is not above this */
-    uint16_t shininess;      /* n */
-    uint16_t error_uq16;     /* upper bound of |lobe - max(0, cos)^n| over all angles; 65535 for W_m, where none is promised */
-    int8_t slope_shift;      /* slope = mantissa * 2^(slope_shift - 15) per unit of 1 - cos; from -4 to 8 */
-    uint8_t multiplications; /* 0 to 4 */
-    bool crossed;            /* which form: see lobe.h */
-} lmb_lobe;
+/* -------------------------------------------------------------------------------------------------------------- the lobe */
 
 #define LMB_SHININESS_MAX 1000
 
@@ -194,50 +269,7 @@ typedef struct lmb_lobe {
 #define LMB_LOBE_MAX_ERROR (1.0 / 1000)
 int lmb_lobe_prepare(lmb_lobe *lobe, enum lmb_lobe_kind kind, unsigned n, uint16_t tolerance);
 
-/* ----------------------------------------------------------------------------------------------------------- look: what light
- * does */
-
-typedef struct lmb_rgb {
-    uint8_t r, g, b;
-} lmb_rgb;
-
-typedef struct lmb_material {
-    lmb_rgb ambient, diffuse, specular;
-    uint16_t shininess; /* n of cos^n, 1 to LMB_SHININESS_MAX */
-} lmb_material;
-
-/* A directional light: unit vector from the surface towards it, and its colour. */
-typedef struct lmb_light {
-    lmb_vec direction;
-    lmb_rgb colour;
-} lmb_light;
-
-/* What is computed for each pixel. */
-enum lmb_model {
-    LMB_MODEL_FLAT, /* one intensity for a triangle, at the normalised sum of its normals; of a mesh, at the face's own normal */
-    LMB_MODEL_GOURAUD, /* diffuse and specular at the corners, linear between */
-    LMB_MODEL_DIFFUSE, /* N.L for each pixel, no highlight */
-    LMB_MODEL_GLOSS    /* N.L and the lobe of N.H for each pixel */
-};
-
-/* How the dot products N.L and N.H get from the corners to a pixel. */
-enum lmb_step_kind {
-    LMB_STEP_LINEAR,    /* linear over the triangle */
-    LMB_STEP_QUADRATIC, /* quadratic over the triangle through the corners and the normalised mid-edge normals */
-    LMB_STEP_ARC        /* normals turn evenly along the edges and along each span (paper 001) */
-};
-
-/* Material, lights and choices, prepared once. Fields may change without notice. */
-typedef struct lmb_look {
-    lmb_lobe lobe;
-    uint8_t model, step, lights;
-    uint8_t specular_on;     /* bit i: light i can make a highlight on this material */
-    uint16_t ambient_q15[3]; /* r, g, b in UQ1.15 */
-    struct lmb_look_light {
-        lmb_vec direction, half;                  /* unit, in space */
-        uint16_t diffuse_q15[3], specular_q15[3]; /* material times light */
-    } light[LMB_LIGHTS];
-} lmb_look;
+/* ------------------------------------------------------------------------------------------------- look: what light does */
 
 /* How many lights a look has: a constant where there can be but one. */
 static inline unsigned lmb_look_lights(const lmb_look *look) { return LMB_LIGHTS == 1 ? 1u : look->lights; }
@@ -248,42 +280,14 @@ static inline unsigned lmb_look_lights(const lmb_look *look) { return LMB_LIGHTS
 int lmb_look_prepare(lmb_look *look, const lmb_material *material, const lmb_light *lights, unsigned light_count,
                      enum lmb_model model, enum lmb_step_kind step);
 
-/* Takes another lobe than the tuned one, or fewer squarings where tolerance allows: see lmb_lobe_prepare. Returns as that does.
- * */
+/* Takes another lobe than the tuned one, or fewer squarings where tolerance allows: see lmb_lobe_prepare. Returns as
+ * that does. */
 int lmb_look_lobe(lmb_look *look, enum lmb_lobe_kind kind, uint16_t tolerance);
-
-/* Light and half vectors in the space of the normals that they meet: turned once per mesh, so that normals never are. */
-typedef struct lmb_rays {
-    struct lmb_ray {
-        lmb_vec direction, half;
-    } light[LMB_LIGHTS];
-} lmb_rays;
 
 /* The rays of a look for normals of a mesh turned by rotation; NULL: normals are given in space. */
 void lmb_rays_prepare(lmb_rays *rays, const lmb_look *look, const lmb_matrix *rotation);
 
-/* --------------------------------------------------------------------------------------------------- terms along a row of
- * pixels */
-
-/* One dot product (N.L, N.H, or a component of a normal) from pixel to pixel, Q2.30 times a power of two that its owner knows.
- * Over a triangle: f += d, d += c. Along an arc: see arc.h. */
-typedef struct lmb_term {
-    int32_t f, d, c;
-} lmb_term;
-
-/* An arc: the normal turns evenly from pixel to pixel, by phi = psi / m over m pixels, and each dot product with it obeys
- * f(t+1) = 2 cos(phi) f(t) - f(t-1) (paper 001, eq. 7 and 14). Fields may change without notice. */
-typedef struct lmb_arc {
-    uint16_t kappa;          /* mantissa of 4 sin^2(phi/2): what lmb_arc_step needs */
-    uint8_t kappa_shift;     /* its exponent */
-    uint8_t guard;           /* fraction bits that d has beyond those of f */
-    int32_t f_from_a_q30;    /* the first f is a + a f_from_a + rise f_from_rise, */
-    int32_t f_from_rise_q30; /* the first d is a d_from_a + rise d_from_rise, times 2^guard */
-    int32_t d_from_a_q30;
-    int32_t d_from_rise_q30;
-    int32_t excess_from_q28; /* of the normals, for lmb_arc_dot: see lmb_excess_q28 */
-    int32_t excess_to_q28;
-} lmb_arc;
+/* ------------------------------------------------------------------------------------------- terms along a row of pixels */
 
 /* Set-up of an arc from the angle psi between its end normals and its length: neither arccos, sine, root nor division.
  *   u_q28   1 - cos(psi), UQ4.28 in [0, 2]. Up to LMB_ARC_U_MAX (psi = 120 degrees) the normal turns evenly; beyond, where the
@@ -327,23 +331,10 @@ void lmb_arc_dot(const lmb_arc *arc, lmb_term *term, lmb_vec from, lmb_vec to, l
 int32_t lmb_excess_q28(lmb_vec v);
 int32_t lmb_cosine_q30(lmb_vec a, lmb_vec b, int32_t excess_q28);
 
-/* ------------------------------------------------------------------------------------------------------------ triangles into
- * spans */
-
-/* A corner on the screen. */
-typedef struct lmb_vertex {
-    int32_t x, y;   /* Q28.4, at most LMB_SCREEN_MAX in magnitude */
-    lmb_vec normal; /* unit, in the space of the rays */
-    uint16_t depth;
-} lmb_vertex;
+/* -------------------------------------------------------------------------------------------------- triangles into spans */
 
 /* Largest |x| and |y| of a corner, in 1/16 pixel. Triangles that reach further are clipped before (lmb_mesh_next does it). */
 #define LMB_SCREEN_MAX (32767L * 16)
-
-/* Pixels left <= x < right, top <= y < bottom of the frame. */
-typedef struct lmb_window {
-    int16_t left, top, right, bottom;
-} lmb_window;
 
 /* How the terms of a span run from pixel to pixel. */
 enum lmb_span_kind {
@@ -367,51 +358,6 @@ typedef struct lmb_span {
     lmb_term depth;                /* UQ0.16 in the upper half of Q2.30: depth.f >> 14; runs by lmb_plane_step */
 } lmb_span;
 
-/* One edge of a triangle, walked row by row without error: x is the first pixel whose centre is not left of the edge, gap how far
- * that centre lies behind the edge, in pixels times modulus. */
-typedef struct lmb_edge {
-    int32_t x, step;
-    uint32_t gap, part, modulus;
-} lmb_edge;
-
-/* A normal that turns evenly along an edge, row by row; along one beyond LMB_ARC_U_MAX its components run linearly and it is
- * normalised on every row. */
-typedef struct lmb_edge_arc {
-    lmb_arc arc;
-    lmb_term component[3];
-    int32_t inverse; /* of the edge's modulus: half of what lmb_reciprocal gives, and its shift */
-    uint8_t inverse_shift;
-    bool straight; /* beyond LMB_ARC_U_MAX, or close to it */
-} lmb_edge_arc;
-
-/* A quadratic over the triangle in wrapping Q2.30, at the triangle's anchor: value, its first differences and its second
- * differences. */
-typedef struct lmb_plane {
-    int32_t f, dx, dy, dxx, dxy, dyy;
-} lmb_plane;
-
-/* A triangle on its way into spans. Fields may change without notice. */
-typedef struct lmb_triangle {
-    uint8_t kind, diffuse_on, specular_on, exponent[LMB_LIGHTS];
-    bool long_right; /* the edge from top to bottom is the right one */
-    const lmb_look *look;
-    const lmb_rays *rays;
-    const lmb_vertex *corner[3]; /* top, middle, bottom */
-    int32_t window_left, window_right;
-    int32_t y, y_switch, y_end; /* next row, first row below the middle corner, first row below the triangle */
-    int32_t column, row;        /* the anchor of the planes */
-    lmb_edge edge[2];           /* left, right */
-    lmb_plane depth;
-    union {
-        struct {
-            lmb_plane diffuse[LMB_LIGHTS], specular[LMB_LIGHTS];
-        } plane;
-        struct {
-            lmb_edge_arc left, right;
-        } arc;
-    } u;
-} lmb_triangle;
-
 /* Sets a triangle up: culls, clips to the window, chooses nothing that the look has not chosen.
  *   a, b, c  corners, counter-clockwise on the screen with y up; they must stay in place until the last span
  *   return   false if there is nothing to draw: seen from behind, no area, outside the window, or a corner beyond
@@ -422,42 +368,7 @@ bool lmb_triangle_begin(lmb_triangle *triangle, const lmb_look *look, const lmb_
 /* The next span, top to bottom; false when there is none left. Every pixel of the triangle inside the window comes once. */
 bool lmb_triangle_next(lmb_triangle *triangle, lmb_span *span);
 
-/* --------------------------------------------------------------------------------------------------------- meshes into
- * triangles */
-
-/* Where constant data live. Empty where flash is in the address space. */
-#ifndef LMB_FLASH
-#define LMB_FLASH
-#endif
-
-#define LMB_SCALE_MIN (-30)
-#define LMB_SCALE_MAX (-2) /* 8192 units: a quarter of what Q16.16 holds, so that sums of products do */
-
-/* A mesh, const and ready for flash; lmb-mesh writes it from a Wavefront OBJ file. */
-typedef struct lmb_mesh {
-    const lmb_vec *positions; /* mesh units */
-    const lmb_vec *normals;   /* unit, Q2.14, one per vertex */
-    const uint16_t *indices;  /* three per triangle, counter-clockwise seen from outside */
-    uint16_t vertices;
-    uint32_t triangles;
-    int8_t scale; /* a mesh unit is 2^scale units of space, LMB_SCALE_MIN to LMB_SCALE_MAX */
-} lmb_mesh;
-
-/* Where a mesh stands: turned first, then moved. */
-typedef struct lmb_pose {
-    lmb_matrix rotation;
-    int32_t x, y, z; /* Q16.16 */
-} lmb_pose;
-
-/* Projection onto the screen. Fields may change without notice. */
-typedef struct lmb_camera {
-    int32_t focal_q16; /* orthographic: pixels per unit; perspective: pixels per unit at distance one */
-    int32_t near_q16, far_q16;
-    int32_t x, y;        /* where the axis meets the screen, Q28.4 */
-    uint32_t depth_gain; /* orthographic: 2^(30 + depth_shift) / (far - near); perspective: far / (far - near), UQ16.16 */
-    uint8_t depth_shift;
-    bool perspective;
-} lmb_camera;
+/* ------------------------------------------------------------------------------------------------- meshes into triangles */
 
 /* Cameras for a frame of width x height pixels, axis through its middle.
  *   focal_q16  UQ16.16, above 0: pixels per unit (orthographic) or focal length in pixels (perspective)
@@ -467,11 +378,6 @@ typedef struct lmb_camera {
 int lmb_camera_orthographic(lmb_camera *camera, int width, int height, int32_t focal_q16, int32_t near_q16, int32_t far_q16);
 int lmb_camera_perspective(lmb_camera *camera, int width, int height, int32_t focal_q16, int32_t near_q16, int32_t far_q16);
 
-/* A position in space, Q16.16. */
-typedef struct lmb_point {
-    int32_t x, y, z;
-} lmb_point;
-
 /* The position of vertex i of a mesh in space. Rounded to nearest. */
 lmb_point lmb_mesh_place(const lmb_mesh *mesh, const lmb_pose *pose, uint32_t i);
 
@@ -479,24 +385,6 @@ lmb_point lmb_mesh_place(const lmb_mesh *mesh, const lmb_pose *pose, uint32_t i)
  * LMB_SCREEN_MAX. Error at most LMB_PROJECT_MAX_ERROR pixels (hosttest/test_mesh.c). */
 #define LMB_PROJECT_MAX_ERROR 0.05
 bool lmb_project(const lmb_camera *camera, lmb_point p, lmb_vertex *vertex);
-
-/* Corners a polygon can have after clipping a triangle against the near plane and the four sides. */
-#define LMB_CLIP_MAX 8
-
-/* A walk over the visible triangles of a mesh. Fields may change without notice. */
-typedef struct lmb_walk {
-    const lmb_mesh *mesh;
-    const lmb_pose *pose;
-    const lmb_camera *camera;
-    const lmb_look *look;
-    const lmb_vertex *vertices;
-    const uint16_t *order;
-    const lmb_window *window;
-    lmb_rays rays;
-    uint32_t next;        /* triangle */
-    uint8_t corners, fan; /* of the clipped polygon that is being handed out */
-    lmb_vertex polygon[LMB_CLIP_MAX];
-} lmb_walk;
 
 /* Starts a walk. Pointers must stay valid to its end.
  *   vertices  NULL, or room for mesh->vertices corners that lmb_mesh_project has filled: without it each corner is projected

@@ -32,6 +32,13 @@ echo "Cortex-M0+, gcc -Os, sections collected, beyond an empty program:"
 echo "  gloss: diffuse + specular, quadratic, RGB565, mesh to pixels   $gloss bytes of flash"
 echo "  everything: all models, steps, formats, lights, depth          $everything bytes of flash"
 echo "  static RAM                                                     $ram bytes"
+echo "Leaving out of everything (gcc -Os -DLMB_WITH_...=0) saves, in bytes:"
+for part in ARC CORNERS PERSPECTIVE DEPTH LARGE LOBES RGB565 RGB888; do
+    link without -DSIZE_EVERYTHING "-DLMB_WITH_$part=0"
+    printf '  %-12s %5d\n' "$part" $((everything + empty - $(bytes "$build/without.elf")))
+done
+link without -DSIZE_EVERYTHING -DLMB_LIGHTS=1
+printf '  %-12s %5d\n' "LIGHTS=1" $((everything + empty - $(bytes "$build/without.elf")))
 echo "Largest functions and tables of gloss:"
 arm-none-eabi-nm --size-sort -r -S "$build/gloss.elf" | awk '
     function hex(s,  i, v) { v = 0; for (i = 1; i <= length(s); i++) v = v * 16 + index("0123456789abcdef", substr(s, i, 1)) - 1; return v }

@@ -1,0 +1,128 @@
+/* SPDX-License-Identifier: MIT */
+/* Structs that callers own and the library fills. Their fields may change without notice; lambent.h says what to do with them. */
+#ifndef LMB_STATE_H
+#define LMB_STATE_H
+
+#include "lambent.h"
+
+/* A prepared lobe: s = alpha - slope * (1 - cos), clamped at zero, then up to four multiplications and one addition (lobe.h).
+ * Fields may change without notice. */
+typedef struct lmb_lobe {
+    int32_t alpha_q30;       /* s at the centre, up to 1.5; a multiple of 2^14 */
+    int32_t lift;            /* the addition: Q0.32 modulo 2^32 in the plain form, Q16.16 in the crossed one */
+    uint16_t slope;          /* mantissa in [32768, 65535] */
+    uint16_t floor_q15;      /* the lobe is zero where s is not above this */
+    uint16_t shininess;      /* n */
+    uint16_t error_uq16;     /* upper bound of |lobe - max(0, cos)^n| over all angles; 65535 for W_m, where none is promised */
+    int8_t slope_shift;      /* slope = mantissa * 2^(slope_shift - 15) per unit of 1 - cos; from -4 to 8 */
+    uint8_t multiplications; /* 0 to 4 */
+    bool crossed;            /* which form: see lobe.h */
+} lmb_lobe;
+
+/* Material, lights and choices, prepared once. Fields may change without notice. */
+typedef struct lmb_look {
+    lmb_lobe lobe;
+    uint8_t model, step, lights;
+    uint8_t specular_on;     /* bit i: light i can make a highlight on this material */
+    uint16_t ambient_q15[3]; /* r, g, b in UQ1.15 */
+    struct lmb_look_light {
+        lmb_vec direction, half;                  /* unit, in space */
+        uint16_t diffuse_q15[3], specular_q15[3]; /* material times light */
+    } light[LMB_LIGHTS];
+} lmb_look;
+
+/* Light and half vectors in the space of the normals that they meet: turned once per mesh, so that normals never are. */
+typedef struct lmb_rays {
+    struct lmb_ray {
+        lmb_vec direction, half;
+    } light[LMB_LIGHTS];
+} lmb_rays;
+
+/* An arc: the normal turns evenly from pixel to pixel, by phi = psi / m over m pixels, and each dot product with it obeys
+ * f(t+1) = 2 cos(phi) f(t) - f(t-1) (paper 001, eq. 7 and 14). Fields may change without notice. */
+typedef struct lmb_arc {
+    uint16_t kappa;          /* mantissa of 4 sin^2(phi/2): what lmb_arc_step needs */
+    uint8_t kappa_shift;     /* its exponent */
+    uint8_t guard;           /* fraction bits that d has beyond those of f */
+    int32_t f_from_a_q30;    /* the first f is a + a f_from_a + rise f_from_rise, */
+    int32_t f_from_rise_q30; /* the first d is a d_from_a + rise d_from_rise, times 2^guard */
+    int32_t d_from_a_q30;
+    int32_t d_from_rise_q30;
+    int32_t excess_from_q28; /* of the normals, for lmb_arc_dot: see lmb_excess_q28 */
+    int32_t excess_to_q28;
+} lmb_arc;
+
+/* One edge of a triangle, walked row by row without error: x is the first pixel whose centre is not left of the edge, gap how far
+ * that centre lies behind the edge, in pixels times modulus. */
+typedef struct lmb_edge {
+    int32_t x, step;
+    uint32_t gap, part, modulus;
+} lmb_edge;
+
+/* A normal that turns evenly along an edge, row by row; along one beyond LMB_ARC_U_MAX its components run linearly and it is
+ * normalised on every row. */
+typedef struct lmb_edge_arc {
+    lmb_arc arc;
+    lmb_term component[3];
+    int32_t inverse; /* of the edge's modulus: half of what lmb_reciprocal gives, and its shift */
+    uint8_t inverse_shift;
+    bool straight; /* beyond LMB_ARC_U_MAX, or close to it */
+} lmb_edge_arc;
+
+/* A quadratic over the triangle in wrapping Q2.30, at the triangle's anchor: value, its first differences and its second
+ * differences. */
+typedef struct lmb_plane {
+    int32_t f, dx, dy, dxx, dxy, dyy;
+} lmb_plane;
+
+/* A triangle on its way into spans. Fields may change without notice. */
+typedef struct lmb_triangle {
+    uint8_t kind, diffuse_on, specular_on, exponent[LMB_LIGHTS];
+    bool long_right; /* the edge from top to bottom is the right one */
+    const lmb_look *look;
+    const lmb_rays *rays;
+    const lmb_vertex *corner[3]; /* top, middle, bottom */
+    int32_t window_left, window_right;
+    int32_t y, y_switch, y_end; /* next row, first row below the middle corner, first row below the triangle */
+    int32_t column, row;        /* the anchor of the planes */
+    lmb_edge edge[2];           /* left, right */
+    lmb_plane depth;
+    union {
+        struct {
+            lmb_plane diffuse[LMB_LIGHTS], specular[LMB_LIGHTS];
+        } plane;
+        struct {
+            lmb_edge_arc left, right;
+        } arc;
+    } u;
+} lmb_triangle;
+
+/* Projection onto the screen. Fields may change without notice. */
+typedef struct lmb_camera {
+    int32_t focal_q16; /* orthographic: pixels per unit; perspective: pixels per unit at distance one */
+    int32_t near_q16, far_q16;
+    int32_t x, y;        /* where the axis meets the screen, Q28.4 */
+    uint32_t depth_gain; /* orthographic: 2^(30 + depth_shift) / (far - near); perspective: far / (far - near), UQ16.16 */
+    uint8_t depth_shift;
+    bool perspective;
+} lmb_camera;
+
+/* Corners a polygon can have after clipping a triangle against the near plane and the four sides. */
+#define LMB_CLIP_MAX 8
+
+/* A walk over the visible triangles of a mesh. Fields may change without notice. */
+typedef struct lmb_walk {
+    const lmb_mesh *mesh;
+    const lmb_pose *pose;
+    const lmb_camera *camera;
+    const lmb_look *look;
+    const lmb_vertex *vertices;
+    const uint16_t *order;
+    const lmb_window *window;
+    lmb_rays rays;
+    uint32_t next;        /* triangle */
+    uint8_t corners, fan; /* of the clipped polygon that is being handed out */
+    lmb_vertex polygon[LMB_CLIP_MAX];
+} lmb_walk;
+
+#endif
