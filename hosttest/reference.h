@@ -148,4 +148,15 @@ typedef struct ref_score {
  * either has nothing. */
 void ref_judge(ref_score *score, const ref_frame *frame, const ref_drawn *drawn, uint8_t *levels);
 
+/* What frames are judged by name: a model and a step, or the scene's own step. The last is the scene's default once more. */
+typedef struct ref_variant {
+    const char *name;
+    enum lmb_model model;
+    int step; /* -1: the scene's own */
+} ref_variant;
+
+enum { REF_FLAT, REF_GOURAUD, REF_DIFFUSE, REF_GLOSS_LINEAR, REF_GLOSS_QUADRATIC, REF_GLOSS_ARC, REF_GLOSS, REF_VARIANTS };
+extern const ref_variant ref_variants[REF_VARIANTS];
+enum lmb_step_kind ref_step_of(const ref_variant *v, const scene *s);
+
 #endif

@@ -7,6 +7,21 @@
 #include <stdlib.h>
 #include <string.h>
 
+const ref_variant ref_variants[REF_VARIANTS] = {
+    {"flat", LMB_MODEL_FLAT, -1},
+    {"gouraud", LMB_MODEL_GOURAUD, -1},
+    {"diffuse", LMB_MODEL_DIFFUSE, -1},
+    {"gloss-linear", LMB_MODEL_GLOSS, LMB_STEP_LINEAR},
+    {"gloss-quadratic", LMB_MODEL_GLOSS, LMB_STEP_QUADRATIC},
+    {"gloss-arc", LMB_MODEL_GLOSS, LMB_STEP_ARC},
+    {"gloss", LMB_MODEL_GLOSS, -1},
+};
+
+enum lmb_step_kind ref_step_of(const ref_variant *v, const scene *s)
+{
+    return v->step < 0 ? s->step : (enum lmb_step_kind)v->step;
+}
+
 int ref_top(enum lmb_format format, int channel) { return format == LMB_RGB888 ? 255 : channel == 1 ? 63 : 31; }
 
 static void *room(size_t bytes)

@@ -9,29 +9,13 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-typedef struct variant {
-    const char *name;
-    enum lmb_model model;
-    int step; /* -1: the scene's own */
-} variant;
-
-static const variant variants[] = {
-    {"flat", LMB_MODEL_FLAT, -1},
-    {"gouraud", LMB_MODEL_GOURAUD, -1},
-    {"diffuse", LMB_MODEL_DIFFUSE, -1},
-    {"gloss", LMB_MODEL_GLOSS, -1},
-    {"gloss-linear", LMB_MODEL_GLOSS, LMB_STEP_LINEAR},
-    {"gloss-quadratic", LMB_MODEL_GLOSS, LMB_STEP_QUADRATIC},
-    {"gloss-arc", LMB_MODEL_GLOSS, LMB_STEP_ARC},
-};
-
 /* What does not depend on the variant; [1] has a highlight. */
 typedef struct truths {
     ref_frame phong[2], surface[2];
     bool has_surface;
 } truths;
 
-static void row(const scene *s, const variant *v, const ref_drawn *drawn, const char *reference, const ref_frame *frame)
+static void row(const scene *s, const ref_variant *v, const ref_drawn *drawn, const char *reference, const ref_frame *frame)
 {
     ref_score score;
     ref_judge(&score, frame, drawn, NULL);
@@ -40,10 +24,10 @@ static void row(const scene *s, const variant *v, const ref_drawn *drawn, const 
            score.share_within_1);
 }
 
-static void report(const scene *s, const variant *v, const truths *t)
+static void report(const scene *s, const ref_variant *v, const truths *t)
 {
     static const enum lmb_format formats[] = {LMB_RGB565, LMB_RGB888};
-    const enum lmb_step_kind step = v->step < 0 ? s->step : (enum lmb_step_kind)v->step;
+    const enum lmb_step_kind step = ref_step_of(v, s);
     const int highlight = v->model != LMB_MODEL_DIFFUSE;
     ref_frame same;
     int i;
@@ -72,7 +56,7 @@ int main(void)
             ref_normalised_phong(&t.phong[highlight], &s, highlight);
             t.has_surface = ref_true_surface(&t.surface[highlight], &s, highlight);
         }
-        for (k = 0; k < sizeof variants / sizeof variants[0]; k++) report(&s, &variants[k], &t);
+        for (k = 0; k < REF_VARIANTS; k++) report(&s, &ref_variants[k], &t);
         for (highlight = 0; highlight < 2; highlight++) {
             ref_frame_end(&t.phong[highlight]);
             if (t.has_surface) ref_frame_end(&t.surface[highlight]);

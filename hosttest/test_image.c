@@ -25,27 +25,8 @@
 static const char *failed_folder = "build/failed", *pictures_folder;
 static bool verbose;
 
-typedef struct variant {
-    const char *name;
-    enum lmb_model model;
-    int step; /* -1: the scene's own */
-} variant;
-
-static const variant variants[] = {
-    {"flat", LMB_MODEL_FLAT, -1},
-    {"gouraud", LMB_MODEL_GOURAUD, -1},
-    {"diffuse", LMB_MODEL_DIFFUSE, -1},
-    {"gloss-linear", LMB_MODEL_GLOSS, LMB_STEP_LINEAR},
-    {"gloss-quadratic", LMB_MODEL_GLOSS, LMB_STEP_QUADRATIC},
-    {"gloss-arc", LMB_MODEL_GLOSS, LMB_STEP_ARC},
-};
-#define VARIANTS (sizeof variants / sizeof variants[0])
+#define VARIANTS REF_GLOSS /* all but the scene's default, which is one of them */
 enum { ALL = (1 << VARIANTS) - 1, GLOSS = 7 << 3 };
-
-static enum lmb_step_kind step_of(const variant *v, const scene *s)
-{
-    return v->step < 0 ? s->step : (enum lmb_step_kind)v->step;
-}
 
 /* ------------------------------------------------------------------------------------------------------------------- pictures */
 
@@ -145,14 +126,14 @@ static void describe_failure(tally *t, const char *label, const ref_score *score
     if (t->left++ == 0) memcpy(t->failure, text, sizeof text);
 }
 
-static void tally_frame(tally *t, const scene *s, const variant *v, const ref_frame *frame, enum lmb_format format)
+static void tally_frame(tally *t, const scene *s, const ref_variant *v, const ref_frame *frame, enum lmb_format format)
 {
     uint8_t *levels = malloc((size_t)s->width * (size_t)s->height * 3);
     ref_drawn drawn;
     ref_score score;
     char label[128], note[400];
     int is888 = format == LMB_RGB888;
-    ref_draw(&drawn, s, v->model, step_of(v, s), format);
+    ref_draw(&drawn, s, v->model, ref_step_of(v, s), format);
     ref_judge(&score, frame, &drawn, levels);
     snprintf(label, sizeof label, "%s_%s_%s", s->name, v->name, is888 ? "rgb888" : "rgb565");
     if (!meets_bars(&score, frame, &drawn, t->pooled, t->large_faces && v->model == LMB_MODEL_FLAT) ||
@@ -182,9 +163,9 @@ static void tally_scene(tally *t, const scene *s, unsigned which)
     for (i = 0; i < VARIANTS; i++) {
         ref_frame frame;
         if (!(which >> i & 1u)) continue;
-        ref_same_model(&frame, s, variants[i].model, step_of(&variants[i], s));
-        tally_frame(t, s, &variants[i], &frame, LMB_RGB565);
-        tally_frame(t, s, &variants[i], &frame, LMB_RGB888);
+        ref_same_model(&frame, s, ref_variants[i].model, ref_step_of(&ref_variants[i], s));
+        tally_frame(t, s, &ref_variants[i], &frame, LMB_RGB565);
+        tally_frame(t, s, &ref_variants[i], &frame, LMB_RGB888);
         ref_frame_end(&frame);
     }
 }
@@ -231,11 +212,11 @@ static void test_same_model(void)
 /* The outline of a mesh of 320 triangles is short of its sphere's by 1.8 % of the area. */
 #define OUTLINE_SHARE 0.025
 
-static ref_score truth_of(const scene *s, const variant *v, const ref_frame *frame)
+static ref_score truth_of(const scene *s, const ref_variant *v, const ref_frame *frame)
 {
     ref_score score;
     ref_drawn drawn;
-    ref_draw(&drawn, s, v->model, step_of(v, s), LMB_RGB888);
+    ref_draw(&drawn, s, v->model, ref_step_of(v, s), LMB_RGB888);
     ref_judge(&score, frame, &drawn, NULL);
     ref_drawn_end(&drawn);
     return score;
@@ -254,13 +235,13 @@ static void test_truth(void)
         scene_make(&s, i);
         snprintf(name, sizeof name, "image_truth_%s", s.name);
         ref_normalised_phong(&phong, &s, true);
-        for (k = 0; k < VARIANTS; k++) score[k] = truth_of(&s, &variants[k], &phong);
+        for (k = 0; k < VARIANTS; k++) score[k] = truth_of(&s, &ref_variants[k], &phong);
         ref_frame_end(&phong);
         ok = score[0].psnr_db < score[1].psnr_db && score[1].psnr_db < score[4].psnr_db && score[4].psnr_db >= TRUTH_DB &&
              score[5].psnr_db >= TRUTH_DB;
         ok = ok && (double)score[4].coverage_mismatch <= OUTLINE_SHARE * (double)score[4].pixels;
         if (ref_true_surface(&surface, &s, true)) {
-            true_score = truth_of(&s, &variants[4], &surface);
+            true_score = truth_of(&s, &ref_variants[REF_GLOSS_QUADRATIC], &surface);
             ref_frame_end(&surface);
             ok = ok && true_score.psnr_db >= TRUTH_DB;
             ok = ok && (double)true_score.coverage_mismatch <= OUTLINE_SHARE * (double)true_score.pixels;
@@ -345,7 +326,7 @@ static void test_clipped(void)
         hard_scene(&s, label, 200, 100, demo.object[0].mesh, lmb_rotation(hard_turn(i > 2 ? 75 : 20), hard_turn(11), 0));
         hard_scene_near(&s, i == 1 || i == 2 ? 45 : 150, distance[i]); /* the second and third look at a ring */
         ref_normalised_phong(&phong, &s, true);
-        score = truth_of(&s, &variants[4], &phong);
+        score = truth_of(&s, &ref_variants[REF_GLOSS_QUADRATIC], &phong);
         ref_same_model(&same, &s, LMB_MODEL_GLOSS, LMB_STEP_QUADRATIC);
         cut += same.clipped;
         pixels += score.pixels;
