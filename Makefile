@@ -20,7 +20,6 @@ TESTS := $(patsubst hosttest/%.c,%,$(wildcard hosttest/test_*.c))
 TABLES := $(patsubst tables/gen_%.c,%,$(wildcard tables/gen_*.c))
 # Generators of tables that are committed; the others write meshes at build time.
 TABLES := $(filter-out icosphere torus teapot,$(TABLES))
-GATED := host m0plus
 
 .DEFAULT_GOAL := help
 .PHONY: help demo check deps report figures pictures size exhaustive tables check-tables tools models tests clean

@@ -111,10 +111,6 @@ static inline int32_t lmb_shl(int32_t a, unsigned s) { return a * ((int32_t)1 <<
 /* floor(a * b / 2^s) of the whole 64-bit product, s in 0..63; must fit int32_t. */
 static inline int32_t lmb_mul_shr(int32_t a, int32_t b, unsigned s) { return (int32_t)(((int64_t)a * b) >> s); }
 
-/* floor(a * b / 2^32) and its unsigned form. */
-static inline int32_t lmb_mul_hi(int32_t a, int32_t b) { return (int32_t)(((int64_t)a * b) >> 32); }
-static inline uint32_t lmb_mulu_hi(uint32_t a, uint32_t b) { return (uint32_t)(((uint64_t)a * b) >> 32); }
-
 /* floor(a * b / 2^16) with b in 0..65535, in two 32-bit products and without a 64-bit one. |a * b| must stay under 2^47. */
 static inline int32_t lmb_mul_q16(int32_t a, uint32_t b)
 {
@@ -199,16 +195,6 @@ static inline int32_t lmb_mul_shr_(int64_t a, int64_t b, unsigned s, const char 
     lmb_checked_(s, 0, 63, "mul_shr: distance", a, s, f, l);
     return lmb_i32_((a * b) >> (s & 63u), "mul_shr", a, b, f, l);
 }
-static inline int32_t lmb_mul_hi_(int32_t a, int32_t b)
-{
-    lmb_count.multiplications++;
-    return (int32_t)(((int64_t)a * b) >> 32);
-}
-static inline uint32_t lmb_mulu_hi_(uint32_t a, uint32_t b)
-{
-    lmb_count.multiplications++;
-    return (uint32_t)(((uint64_t)a * b) >> 32);
-}
 static inline int32_t lmb_mul_q16_(int64_t a, int64_t b, const char *f, int l)
 {
     lmb_count.multiplications++;
@@ -236,8 +222,6 @@ static inline bool lmb_product_less(int32_t a, int32_t b, int32_t c, int32_t d)
 #define lmb_shr_round(a, s) lmb_shr_round_((a), (s), __FILE__, __LINE__)
 #define lmb_shl(a, s) lmb_shl_((a), (s), __FILE__, __LINE__)
 #define lmb_mul_shr(a, b, s) lmb_mul_shr_((a), (b), (s), __FILE__, __LINE__)
-#define lmb_mul_hi(a, b) lmb_mul_hi_((a), (b))
-#define lmb_mulu_hi(a, b) lmb_mulu_hi_((a), (b))
 #define lmb_mul_q15(a, b) lmb_mul_q15_((a), (b), __FILE__, __LINE__)
 #define lmb_mul_q16(a, b) lmb_mul_q16_((a), (b), __FILE__, __LINE__)
 

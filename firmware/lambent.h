@@ -280,7 +280,7 @@ static inline unsigned lmb_look_lights(const lmb_look *look) { return LMB_LIGHTS
 int lmb_look_prepare(lmb_look *look, const lmb_material *material, const lmb_light *lights, unsigned light_count,
                      enum lmb_model model, enum lmb_step_kind step);
 
-/* Takes another lobe than the tuned one, or fewer squarings where tolerance allows: see lmb_lobe_prepare. Returns as
+/* Takes another lobe than the tuned one, or fewer multiplications where tolerance allows: see lmb_lobe_prepare. Returns as
  * that does. */
 int lmb_look_lobe(lmb_look *look, enum lmb_lobe_kind kind, uint16_t tolerance);
 
