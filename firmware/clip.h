@@ -17,7 +17,8 @@ typedef struct lmb_corner {
     lmb_vec normal;
 } lmb_corner;
 
-/* Clips polygon[0..2], a triangle in space, and projects what is left into out. Returns its corners, 0 or 3 to LMB_CLIP_MAX. */
+/* Clips polygon[0..2], a triangle in space, and projects what is left into out. Normals are interpolated
+ * linearly and normalised at each cut. Returns its corners, 0 or 3 to LMB_CLIP_MAX. */
 unsigned lmb_clip(const lmb_camera *camera, const lmb_corner triangle[3], lmb_vertex out[LMB_CLIP_MAX]);
 
 #endif
