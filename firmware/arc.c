@@ -12,7 +12,7 @@
  *
  * Scaled values are times 2^guard for each factor of phi, which keeps their precision on long arcs; 2^guard is m/4 to m/2.
  */
-#include "lambent.h"
+#include "flash.h"
 
 #include "../tables/arc_table.h"
 
@@ -41,7 +41,7 @@ static int32_t lessen(int32_t x, int32_t part_q28) { return lmb_sub(x, product_q
 /* G(u) in Q4.28, up to 2.42, for u up to LMB_ARC_U_MAX. */
 static int32_t angle_over_sine(int32_t u_q28)
 {
-    const struct arc_piece *piece = &arc_table[u_q28 < LMB_ARC_U_MAX ? u_q28 >> 24 : 23];
+    const LMB_FLASH struct arc_piece *piece = &arc_table[u_q28 < LMB_ARC_U_MAX ? u_q28 >> 24 : 23];
     uint32_t t_q16 = u_q28 < LMB_ARC_U_MAX ? (uint32_t)u_q28 >> 8 & 0xffff : 0xffff;
     uint32_t rise_q26 = ((uint32_t)piece->slope << 8) + (lmb_mulu(piece->bend, t_q16) >> 10);
     return lmb_add(piece->value, lmb_shl(lmb_mul_q16((int32_t)rise_q26, t_q16), 2));
@@ -53,7 +53,7 @@ static int32_t angle_over_sine(int32_t u_q28)
  * the loop ends early is below 2^-20. */
 static void series(int32_t p_q28, int32_t *cos_loss_q28, int32_t *sin_loss_q28)
 {
-    static const uint16_t ratio_q19[6] = {43691, 17476, 9362, 5825, 3972, 2881};
+    static const LMB_FLASH uint16_t ratio_q19[6] = {43691, 17476, 9362, 5825, 3972, 2881};
     int32_t t_q28 = lmb_shr(lmb_mul_q16(p_q28, ratio_q19[0]), 3), j;
     t_q28 = lmb_sub(t_q28, lmb_shr(t_q28, 17)); /* 43691 is 2^19/12 and a 2^17th part too much */
     *cos_loss_q28 = t_q28;
@@ -99,7 +99,7 @@ static void round_kappa(lmb_arc *arc, struct turn *phi)
     quarter_q12 = lmb_add(quarter_q12, lmb_shr(lmb_mul(lmb_mul(quarter_q12, quarter_q12), 341), 20)); /* 341/256 = 4/3 */
     half_e_q32 = lmb_sub(half_e_q32, lmb_shr(lmb_mul(half_e_q32, quarter_q12), 12));
     phi->sine_q30 = lmb_add(phi->sine_q30, lmb_shr(lmb_mul(lmb_shr(phi->sine_q30, 15), lmb_shr(half_e_q32, 3)), 14));
-    zeros += arc->guard + 15 - drop;
+    zeros += arc->guard + 15u - drop;
     if (zeros > 31) { /* hardly a turn at all: at most 2^-22 of f in 65536 pixels */
         k = zeros > 45 ? 0 : k >> (zeros - 31);
         zeros = 31;

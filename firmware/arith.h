@@ -30,11 +30,19 @@ LMB_STATIC_ASSERT((-1 & 3) == 3);   /* two's complement */
 
 /* 1 where a product of 64 bits is an instruction or two, 0 where it would be a call. Results are the same. */
 #ifndef LMB_LONG_PRODUCTS
-#if defined(__AVR__) || (defined(__arm__) && (defined(__ARM_ARCH_6M__) || defined(__ARM_ARCH_8M_BASE__)))
+#if defined(__AVR__) || (defined(__riscv) && !defined(__riscv_mul)) ||                                                           \
+    (defined(__arm__) && (defined(__ARM_ARCH_6M__) || defined(__ARM_ARCH_8M_BASE__)))
 #define LMB_LONG_PRODUCTS 0
 #else
 #define LMB_LONG_PRODUCTS 1
 #endif
+#endif
+
+/* Where size is asked for, small functions that are called several times stay out of line. */
+#if defined(__GNUC__) && defined(__OPTIMIZE_SIZE__)
+#define LMB_OUTLINE __attribute__((noinline))
+#else
+#define LMB_OUTLINE
 #endif
 
 /* Kept out of line (wide.c), where cores with small instruction sets would take a hundred bytes for each copy. */

@@ -40,7 +40,7 @@ static lmb_corner cut(const lmb_corner *in, const lmb_corner *out, int32_t d_in,
 {
     unsigned shift;
     uint32_t reciprocal = lmb_reciprocal((uint32_t)lmb_sub(d_in, d_out), &shift);
-    int32_t t_q30 = lmb_min(1 << 30, lmb_mul_shr_sat(d_in, (int32_t)(reciprocal >> 1), shift));
+    int32_t t_q30 = lmb_min((int32_t)1 << 30, lmb_mul_shr_sat(d_in, (int32_t)(reciprocal >> 1), shift));
     lmb_corner c;
     c.p.x = between(in->p.x, out->p.x, t_q30);
     c.p.y = between(in->p.y, out->p.y, t_q30);

@@ -7,53 +7,40 @@
  * mod dy), with one carry. Spans take the same ceiling at both ends: that is the top-left rule, and neighbours that share an
  * edge, in whatever direction, get the same number.
  *
- * Quotients by 16 dy come from a reciprocal of 16 bits, twice, and one correction of at most one; nothing is approximated in the
- * end. No product needs 64 bits.
+ * The quotients are small, a bit or two for most edges, so they are found bit by bit: five instructions each, where a reciprocal
+ * would take a hundred before the first.
  */
 #include "edge.h"
 
 LMB_STATIC_ASSERT(LMB_SCREEN_MAX < (1L << 19)); /* so dx, dy < 2^20 and modulus < 2^24 */
 
-/* modulus * reciprocal_q16 = 2^(16 + shift) (1 - e), 0 < e < 2^-14 */
-typedef struct divisor {
-    int32_t modulus;
-    uint32_t reciprocal_q16;
-    unsigned shift;
-} divisor;
-
-/* floor(a / modulus); the rest goes to *rest. |a| < 2^31, |a / modulus| < 2^21: the first estimate errs by at most 2^-14 of
- * itself and one for the floor, so what is left is under 2^17 + modulus, and under 130 times the modulus; the second errs by at
- * most one. */
-static int32_t divide(int32_t a, const divisor *by, uint32_t *rest)
+/* floor(a / by); the rest goes to *rest. by is in 1...2^24; the doubled one stops above |a|, so below 2^32. */
+static int32_t quotient(int32_t a, uint32_t by, int32_t *rest)
 {
-    int32_t quotient = 0;
-    int pass;
-    for (pass = 0; pass < 2; pass++) {
-        int32_t estimate = lmb_shr(lmb_mul_q16(a, by->reciprocal_q16), by->shift);
-        quotient = lmb_add(quotient, estimate);
-        a = lmb_sub(a, lmb_mul(estimate, by->modulus));
+    uint32_t left = (uint32_t)(a < 0 ? ~a : a), part = by, q = 0;
+    while (part <= left) part <<= 1;
+    while (part != by) {
+        part >>= 1;
+        q <<= 1;
+        if (left >= part) {
+            left -= part;
+            q++;
+        }
     }
-    if (a < 0) {
-        quotient = lmb_sub(quotient, 1);
-        a = lmb_add(a, by->modulus);
-    } else if (a >= by->modulus) {
-        quotient = lmb_add(quotient, 1);
-        a = lmb_sub(a, by->modulus);
-    }
-    *rest = (uint32_t)a;
-    return quotient;
+    *rest = (int32_t)(a < 0 ? by - 1 - left : left); /* -1 - a = q by + left, so a = (-1 - q) by + by - 1 - left */
+    return a < 0 ? ~(int32_t)q : (int32_t)q;
 }
 
 /* Rows that can be skipped at once: rows * part < 128 * 2^24 = 2^31. */
 #define SKIP_MAX 127
 
-static void skip(lmb_edge *edge, int32_t rows, const divisor *by)
+static void skip(lmb_edge *edge, int32_t rows)
 {
     while (rows > 0) {
         int32_t n = lmb_min(rows, SKIP_MAX);
         /* gap - n part, negative: N grows, x by the ceiling, -floor(-n / modulus) */
-        int32_t left = (int32_t)edge->gap - (int32_t)lmb_mulu((uint32_t)n, edge->part);
-        edge->x = lmb_sub(lmb_add(edge->x, lmb_mul(n, edge->step)), divide(left, by, &edge->gap));
+        int32_t left = lmb_sub(edge->gap, lmb_mul(n, edge->part));
+        edge->x = lmb_sub(lmb_add(edge->x, lmb_mul(n, edge->step)), quotient(left, (uint32_t)edge->modulus, &edge->gap));
         rows = lmb_sub(rows, n);
     }
 }
@@ -62,13 +49,15 @@ void lmb_edge_begin(lmb_edge *edge, const lmb_vertex *top, const lmb_vertex *bot
 {
     int32_t dx = lmb_sub(bottom->x, top->x), dy = lmb_sub(bottom->y, top->y), first = lmb_row_at(top->y);
     int32_t below = lmb_sub(lmb_add(lmb_shl(first, 4), 8), top->y); /* of the first centre, 0 to 15 */
-    int32_t left = lmb_sub(top->x, 8);
-    divisor by;
-    by.modulus = lmb_shl(dy, 4);
-    by.reciprocal_q16 = lmb_reciprocal((uint32_t)by.modulus, &by.shift) >> 15;
-    edge->modulus = (uint32_t)by.modulus;
-    edge->step = divide(lmb_shl(dx, 4), &by, &edge->part);
+    int32_t left = lmb_sub(top->x, 8), part;
+    edge->modulus = lmb_shl(dy, 4);
+    edge->step = lmb_shr(dx, 31);
+    part = dx < 0 ? lmb_add(dx, dy) : dx;
+    if ((uint32_t)part >= (uint32_t)dy) edge->step = quotient(dx, (uint32_t)dy, &part);
+    edge->part = lmb_shl(part, 4);
     /* ceil(N / modulus) = -floor(-N / modulus) of the part of N beyond whole pixels; |N| <= 15 * 2^20 + 15 * 2^20 < 2^25 */
-    edge->x = lmb_sub(lmb_shr(left, 4), divide(lmb_sub(0, lmb_add(lmb_mul(left & 15, dy), lmb_mul(dx, below))), &by, &edge->gap));
-    skip(edge, lmb_sub(row, first), &by);
+    left = lmb_sub(lmb_shr(left, 4), quotient(lmb_sub(0, lmb_add(lmb_mul(left & 15, dy), lmb_mul(dx, below))),
+                                              (uint32_t)edge->modulus, &edge->gap));
+    edge->x = left;
+    skip(edge, lmb_sub(row, first));
 }

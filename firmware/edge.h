@@ -12,15 +12,4 @@ static inline int32_t lmb_row_at(int32_t y) { return lmb_shr(lmb_add(y, 7), 4); 
  * lmb_row_at(bottom->y). */
 void lmb_edge_begin(lmb_edge *edge, const lmb_vertex *top, const lmb_vertex *bottom, int32_t row);
 
-/* One row down. */
-static inline void lmb_edge_step(lmb_edge *edge)
-{
-    edge->x = lmb_add(edge->x, edge->step);
-    if (edge->gap < edge->part) {
-        edge->gap += edge->modulus;
-        edge->x = lmb_add(edge->x, 1);
-    }
-    edge->gap -= edge->part;
-}
-
 #endif

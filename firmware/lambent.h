@@ -85,7 +85,7 @@ LMB_STATIC_ASSERT(LMB_LIGHTS >= 1 && LMB_LIGHTS <= 4);
 #define LMB_WITH_LOBES 1 /* W_m of paper 000, and lobes of fewer multiplications; without, every tolerance counts as 0 */
 #endif
 #ifndef LMB_WITH_LARGE
-#define LMB_WITH_LARGE 1 /* full accuracy for triangles over 512 pixels; without, they lie on a grid of 2^-13 of their extent */
+#define LMB_WITH_LARGE 1 /* full accuracy for triangles over 512 pixels, 16 times longer than high, or bent by over 80 degrees */
 #endif
 LMB_STATIC_ASSERT((LMB_WITH_LOBES | LMB_WITH_LARGE | LMB_WITH_ARC | LMB_WITH_CORNERS | LMB_WITH_PERSPECTIVE | LMB_WITH_DEPTH |
                    1) == 1);
@@ -148,9 +148,10 @@ typedef struct lmb_vertex {
     uint16_t depth;
 } lmb_vertex;
 
-/* Pixels left <= x < right, top <= y < bottom of the frame. */
+/* Pixels left <= x < right, top <= y < bottom of the frame, and whether spans in it are to carry their depth. */
 typedef struct lmb_window {
     int16_t left, top, right, bottom;
+    bool depth;
 } lmb_window;
 
 /* One dot product (N.L, N.H, or a component of a normal) from pixel to pixel, Q2.30 times a power of two that its owner knows.
@@ -159,9 +160,15 @@ typedef struct lmb_term {
     int32_t f, d, c;
 } lmb_term;
 
-/* Where constant data live. Empty where flash is in the address space. */
+/* Where constant data live: a qualifier of tables and meshes, and of what the pointers that read them point to. Empty where flash
+ * is in the address space. On AVR it is __flash of avr-gcc (-std=gnu99 or later): the first 64 KB, read by LPM, so what such a
+ * pointer points to cannot be in RAM. */
 #ifndef LMB_FLASH
+#if defined(__AVR__) && !defined(__cplusplus)
+#define LMB_FLASH __flash
+#else
 #define LMB_FLASH
+#endif
 #endif
 
 #define LMB_SCALE_MIN (-30)
@@ -169,9 +176,9 @@ typedef struct lmb_term {
 
 /* A mesh, const and ready for flash; lmb-mesh writes it from a Wavefront OBJ file. */
 typedef struct lmb_mesh {
-    const lmb_vec *positions; /* mesh units */
-    const lmb_vec *normals;   /* unit, Q2.14, one per vertex */
-    const uint16_t *indices;  /* three per triangle, counter-clockwise seen from outside */
+    const LMB_FLASH lmb_vec *positions; /* mesh units */
+    const LMB_FLASH lmb_vec *normals;   /* unit, Q2.14, one per vertex */
+    const LMB_FLASH uint16_t *indices;  /* three per triangle, counter-clockwise seen from outside */
     uint16_t vertices;
     uint32_t triangles;
     int8_t scale; /* a mesh unit is 2^scale units of space, LMB_SCALE_MIN to LMB_SCALE_MAX */
@@ -284,6 +291,20 @@ int lmb_look_prepare(lmb_look *look, const lmb_material *material, const lmb_lig
  * that does. */
 int lmb_look_lobe(lmb_look *look, enum lmb_lobe_kind kind, uint16_t tolerance);
 
+/* What does not show: highlights fainter than tolerance, UQ0.16, are left out, which saves their pixels most of the cost.
+ * lmb_look_prepare sets LMB_TOLERANCE_RGB888; 0 leaves nothing out but where the lobe ends.
+ * Specular terms carry the highlight's argument, which is above zero where there is something to be seen: s of the lobe (lobe.h)
+ * less its value where the highlight ends, light[i].dark_q16; after lmb_look_ramp a ramp's. */
+#define LMB_TOLERANCE_RGB888 64  /* a quarter of a level of 255 */
+#define LMB_TOLERANCE_RGB565 260 /* a quarter of a level of 63 */
+void lmb_look_tolerance(lmb_look *look, uint16_t tolerance);
+
+/* For those who look the highlight up: lets the argument fall from one, Q2.30, where N.H is one to zero where the highlight ends, so
+ * that a ramp spends no step on what is not seen. What to put into it: lmb_look_ramp_at gives the lobe, UQ1.15, at an argument in
+ * UQ2.30 for light i. lmb_look_tolerance undoes it. */
+void lmb_look_ramp(lmb_look *look);
+int32_t lmb_look_ramp_at(const lmb_look *look, unsigned i, uint32_t argument_q30);
+
 /* The rays of a look for normals of a mesh turned by rotation; NULL: normals are given in space. */
 void lmb_rays_prepare(lmb_rays *rays, const lmb_look *look, const lmb_matrix *rotation);
 
@@ -351,11 +372,11 @@ typedef struct lmb_span {
     uint8_t kind;                  /* enum lmb_span_kind */
     uint8_t diffuse_on;            /* bit i: diffuse[i] may be above zero */
     uint8_t specular_on;           /* bit i: specular[i] may be above zero */
-    uint8_t exponent[LMB_LIGHTS];  /* specular[i] holds s / 2^exponent[i] */
+    uint8_t exponent[LMB_LIGHTS];  /* specular[i] holds the argument over 2^exponent[i] */
     lmb_arc arc;                   /* for LMB_SPAN_ARC */
     lmb_term diffuse[LMB_LIGHTS];  /* N.L, Q2.30 */
-    lmb_term specular[LMB_LIGHTS]; /* gloss: the lobe's argument s; flat and gouraud: the lobe's value; Q2.30 */
-    lmb_term depth;                /* UQ0.16 in the upper half of Q2.30: depth.f >> 14; runs by lmb_plane_step */
+    lmb_term specular[LMB_LIGHTS]; /* gloss: the argument, see lmb_look_tolerance; flat and gouraud: the lobe's value; Q2.30 */
+    lmb_term depth; /* if the window asks for it: UQ0.16 in the upper half of Q2.30: depth.f >> 14; runs by lmb_plane_step */
 } lmb_span;
 
 /* Sets a triangle up: culls, clips to the window, chooses nothing that the look has not chosen.
@@ -364,6 +385,12 @@ typedef struct lmb_span {
  *            LMB_SCREEN_MAX */
 bool lmb_triangle_begin(lmb_triangle *triangle, const lmb_look *look, const lmb_rays *rays, const lmb_vertex *a,
                         const lmb_vertex *b, const lmb_vertex *c, const lmb_window *window);
+
+/* Diffuse terms from here on count as one, Q2.30: 1.125 (N.L itself can pass one by rounding and by bulging). */
+#define LMB_DIFFUSE_TOP 0x48000000
+
+/* For loops that walk the rows themselves (step.h): takes the edge below the middle corner when y has reached y_switch. */
+void lmb_triangle_turn(lmb_triangle *triangle);
 
 /* The next span, top to bottom; false when there is none left. Every pixel of the triangle inside the window comes once. */
 bool lmb_triangle_next(lmb_triangle *triangle, lmb_span *span);

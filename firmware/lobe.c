@@ -8,7 +8,7 @@
  *
  * For the largest n the crossed form errs 0.0007 where the plain one errs 0.0010 and ends in a step of as much; below n = 90 the
  * plain one is better. With three multiplications the same holds from n = 28 on. */
-#include "lambent.h"
+#include "flash.h"
 
 /* Up to which shininess a row serves, its form, and where in its table its numbers start: four constants, or three cubics. */
 typedef struct lobe_row {
@@ -34,16 +34,16 @@ typedef struct lobe_constants {
 } lobe_constants;
 
 /* The cubic c, highest power first, at y in Q2.14. Each partial sum fits int16_t (tables/gen_lobe.c searches |.| < 2). */
-static int32_t curve_at(const int16_t *c, int32_t y_q14)
+static int32_t curve_at(const LMB_FLASH int16_t *c, int32_t y_q14)
 {
     int32_t sum = c[0];
     for (unsigned i = 1; i < 4; i++) sum = lmb_add(lmb_shr(lmb_mul16(sum, y_q14), 14), c[i]);
     return sum;
 }
 
-static lobe_constants row_constants(const lobe_row *row, const int16_t *numbers, unsigned n)
+static lobe_constants row_constants(const LMB_FLASH lobe_row *row, const LMB_FLASH int16_t *numbers, unsigned n)
 {
-    const int16_t *c = numbers + row->start;
+    const LMB_FLASH int16_t *c = numbers + row->start;
     lobe_constants k = {c[0], c[1], c[3], c[2]};
     if (row->form & CUBIC) {
         unsigned shift, m = row->form & 7u;
@@ -92,7 +92,7 @@ static void lobe_set(lmb_lobe *lobe, unsigned n, unsigned form, const lobe_const
 /* The lobe of fewest multiplications that promises tolerance; false if there is none but the most accurate. */
 static bool set_cheap(lmb_lobe *lobe, unsigned n, uint16_t tolerance)
 {
-    const cheap_row *cheap = cheap_rows, *end = cheap_rows + sizeof cheap_rows / sizeof *cheap_rows;
+    const LMB_FLASH cheap_row *cheap = cheap_rows, *end = cheap_rows + sizeof cheap_rows / sizeof *cheap_rows;
     for (; cheap != end; cheap++) {
         lobe_constants k;
         if (n < cheap->first || n > cheap->row.last) continue;
@@ -106,14 +106,16 @@ static bool set_cheap(lmb_lobe *lobe, unsigned n, uint16_t tolerance)
 
 int lmb_lobe_prepare(lmb_lobe *lobe, enum lmb_lobe_kind kind, unsigned n, uint16_t tolerance)
 {
-    static const lobe_constants published = {16384, 16384, 0, 65535};
+    lobe_constants k;
     const unsigned last_kind = LMB_WITH_LOBES ? LMB_LOBE_W16 : LMB_LOBE_TUNED;
     if (n < 1 || n > LMB_SHININESS_MAX || (unsigned)kind > last_kind) return LMB_ERROR_VALUE;
     if (kind != LMB_LOBE_TUNED) {
-        lobe_set(lobe, n, (unsigned)kind, &published);
+        k.alpha = k.slope = 16384; /* not an initialiser: that would be copied from flash */
+        k.floor = 0;
+        k.error = UINT16_MAX;
+        lobe_set(lobe, n, (unsigned)kind, &k);
     } else if (!LMB_WITH_LOBES || !set_cheap(lobe, n, tolerance)) {
-        const lobe_row *row = lobe_rows;
-        lobe_constants k;
+        const LMB_FLASH lobe_row *row = lobe_rows;
         while (row->last < n) row++;
         k = row_constants(row, lobe_numbers, n);
         lobe_set(lobe, n, row->form, &k);

@@ -35,36 +35,48 @@ static inline int32_t lmb_lobe_argument(const lmb_lobe *lobe, int32_t v_q30)
     return lmb_add(lmb_shr(lobe->alpha_q30, 14), lmb_shr(lmb_sub(0, down), (unsigned)(13 - lobe->slope_shift)));
 }
 
-/* The lobe at s with its form given apart: in a loop over pixels, constants for multiplications and crossed leave no branch but
- * the two at the ends.
- *   s_q16   Q16.16, any int32: 0 where s <= floor, LMB_LOBE_ONE where s >= alpha
- *   return  UQ1.15 in [0, 32768]; never decreases with s
- *   error   lobe->error_uq16, the rounding of s included
+/* The lobe between its ends, floor < s < alpha, with its form given apart: in a loop over pixels, constants for multiplications
+ * and crossed leave no branch.
+ *   s_q16   Q16.16; outside the ends it wraps
+ *   return  UQ0.32
  *   bounds  plain: s * s and lift wrap, but their sum is in [0, 2^32) between floor and alpha
  *           crossed: (y + lift) * x grows with s and is under 2^32 at the last s below alpha (lmb_lobe_prepare)
- *   cost    multiplications, one addition, two comparisons, a shift for each multiplication and one more */
-static inline int32_t lmb_lobe_at_form(const lmb_lobe *lobe, int32_t s_q16, unsigned multiplications, bool crossed)
+ *   cost    multiplications, one addition, a shift for each multiplication but the last */
+static inline uint32_t lmb_lobe_inside(const lmb_lobe *lobe, uint32_t s_q16, unsigned multiplications, bool crossed)
 {
-    uint32_t p;
-    if (s_q16 <= (int32_t)lobe->floor_q15 * 2) return 0;
-    if (s_q16 >= lmb_shr(lobe->alpha_q30, 14)) return LMB_LOBE_ONE;
-    p = (uint32_t)s_q16;
+    uint32_t p = s_q16;
     if (crossed) {
-        uint32_t x = p;
-        uint32_t y = lmb_mulu(p, p) >> 16;
+        uint32_t x = p, y = lmb_mulu(p, p) >> 16;
         if (multiplications > 2) {
             x = y;
             y = lmb_mulu(y, y) >> 16;
         }
-        p = lmb_mulu((uint32_t)lmb_add((int32_t)y, lobe->lift), x) >> 16;
-        if (multiplications > 3) p = lmb_mulu(p, p) >> 16;
-    } else if (multiplications > 0) {
-        p = (uint32_t)lmb_add_wrap(lmb_mul_wrap(s_q16, s_q16), lobe->lift) >> 16;
-        if (multiplications > 1) p = lmb_mulu(p, p) >> 16;
-        if (multiplications > 2) p = lmb_mulu(p, p) >> 16;
-        if (multiplications > 3) p = lmb_mulu(p, p) >> 16;
+        p = lmb_mulu((uint32_t)lmb_add((int32_t)y, lobe->lift), x);
+        if (multiplications > 3) {
+            p >>= 16;
+            p = lmb_mulu(p, p);
+        }
+        return p;
     }
-    return (int32_t)(p >> 1);
+    if (multiplications == 0) return p << 16;
+    p = p * p + (uint32_t)lobe->lift;
+    for (; multiplications > 1; multiplications--) {
+        p >>= 16;
+        p = lmb_mulu(p, p);
+    }
+    return p;
+}
+
+/* The lobe at s with its form given apart.
+ *   s_q16   Q16.16, any int32: 0 where s <= floor, LMB_LOBE_ONE where s >= alpha
+ *   return  UQ1.15 in [0, 32768]; never decreases with s
+ *   error   lobe->error_uq16, the rounding of s included
+ *   cost    multiplications, one addition, two comparisons, a shift for each multiplication */
+static inline int32_t lmb_lobe_at_form(const lmb_lobe *lobe, int32_t s_q16, unsigned multiplications, bool crossed)
+{
+    if (s_q16 <= (int32_t)lobe->floor_q15 * 2) return 0;
+    if (s_q16 >= lmb_shr(lobe->alpha_q30, 14)) return LMB_LOBE_ONE;
+    return (int32_t)(lmb_lobe_inside(lobe, (uint32_t)s_q16, multiplications, crossed) >> 17);
 }
 
 /* The lobe at s: see lmb_lobe_at_form. */

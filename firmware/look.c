@@ -29,27 +29,24 @@ static void fold(uint16_t out[3], const lmb_rgb *material, const lmb_rgb *light)
 {
     const uint8_t *m = (const uint8_t *)material, *l = (const uint8_t *)light;
     unsigned i;
-    for (i = 0; i < 3; i++) out[i] = product_q15(m[i], l[i]);
+    for (i = 0; i < 3; i++) out[i] = product_q15(m[i], l ? l[i] : 255);
 }
 
-static int light_prepare(lmb_look *look, unsigned i, const lmb_material *material, const lmb_light *light)
+static int light_prepare(struct lmb_look_light *to, const lmb_material *material, const lmb_light *light)
 {
     const lmb_vec *d = &light->direction;
-    struct lmb_look_light *to = &look->light[i];
     if (!is_unit(d)) return LMB_ERROR_VALUE;
     lmb_vec_normalise(&to->direction, d->x, d->y, d->z);
     d = &to->direction;
     lmb_vec_normalise(&to->half, d->x, d->y, lmb_add(d->z, 16384)); /* the viewer is along +z */
     fold(to->diffuse_q15, &material->diffuse, &light->colour);
     fold(to->specular_q15, &material->specular, &light->colour);
-    if (to->specular_q15[0] | to->specular_q15[1] | to->specular_q15[2]) look->specular_on |= (uint8_t)(1u << i);
     return LMB_OK;
 }
 
 int lmb_look_prepare(lmb_look *look, const lmb_material *material, const lmb_light *lights, unsigned light_count,
                      enum lmb_model model, enum lmb_step_kind step)
 {
-    static const lmb_rgb white = {255, 255, 255};
     unsigned i;
     int error;
     if (light_count < 1 || light_count > LMB_LIGHTS) return LMB_ERROR_LIGHTS;
@@ -60,16 +57,69 @@ int lmb_look_prepare(lmb_look *look, const lmb_material *material, const lmb_lig
     look->model = (uint8_t)model;
     look->step = (uint8_t)step;
     look->lights = (uint8_t)light_count;
-    look->specular_on = 0;
-    fold(look->ambient_q15, &material->ambient, &white);
-    for (i = 0; i < lmb_look_lights(look) && error == LMB_OK; i++) error = light_prepare(look, i, material, &lights[i]);
-    if (model == LMB_MODEL_DIFFUSE) look->specular_on = 0;
+    fold(look->ambient_q15, &material->ambient, NULL);
+    for (i = 0; i < lmb_look_lights(look) && error == LMB_OK; i++) error = light_prepare(&look->light[i], material, &lights[i]);
+    if (error == LMB_OK) lmb_look_tolerance(look, LMB_TOLERANCE_RGB888);
     return error;
+}
+
+/* The largest v = 1 - N.H in Q2.30 at which the lobe times strength, both UQ1.15, is above what is tolerated, Q2.30, or just
+ * under it: bit by bit, as the lobe never grows with v. */
+static int32_t quiet_from(const lmb_lobe *lobe, int32_t strength_q15, int32_t tolerated_q30)
+{
+    int32_t v_q30 = 0, bit;
+    for (bit = (int32_t)1 << 30; bit >= 4096; bit >>= 1) {
+        if (lmb_mul(lmb_lobe_eval(lobe, lmb_add(v_q30, bit)), strength_q15) > tolerated_q30) v_q30 = lmb_add(v_q30, bit);
+    }
+    return v_q30;
+}
+
+static int32_t largest(const uint16_t channel[3]) { return lmb_max(lmb_max(channel[0], channel[1]), channel[2]); }
+
+void lmb_look_tolerance(lmb_look *look, uint16_t tolerance)
+{
+    unsigned i, shift;
+    look->specular_on = 0;
+    for (i = 0; i < lmb_look_lights(look); i++) {
+        struct lmb_look_light *light = &look->light[i];
+        int32_t strength = largest(light->specular_q15);
+        /* tolerance over the diffuse strength, up to two: the reciprocal of a number below 2^16 + 1 */
+        uint32_t reciprocal = lmb_reciprocal((uint32_t)largest(light->diffuse_q15) + 1, &shift);
+        light->straight_q28 = lmb_shr(lmb_mul_q16(lmb_signed(reciprocal >> 1), tolerance), shift < 13 ? 0 : shift - 13);
+        light->quiet_q30 = quiet_from(&look->lobe, strength, lmb_shl(tolerance, 14));
+        light->dark_q16 = lmb_lobe_argument(&look->lobe, light->quiet_q30);
+        light->line.top_q30 = lmb_sub(look->lobe.alpha_q30, lmb_shl(light->dark_q16, 14));
+        light->line.slope = look->lobe.slope;
+        light->line.shift = look->lobe.slope_shift;
+        if (light->quiet_q30 && look->model != LMB_MODEL_DIFFUSE) look->specular_on = (uint8_t)(look->specular_on | 1u << i);
+    }
+}
+
+void lmb_look_ramp(lmb_look *look)
+{
+    unsigned i, shift;
+    for (i = 0; i < lmb_look_lights(look); i++) {
+        lmb_line *line = &look->light[i].line;
+        /* one over quiet = reciprocal 2^30 / 2^(31 + shift) */
+        uint32_t reciprocal = lmb_reciprocal((uint32_t)look->light[i].quiet_q30, &shift);
+        line->top_q30 = 0x40000000;
+        line->slope = (uint16_t)(reciprocal >> 15);
+        line->shift = (int8_t)(29 - (int)shift);
+    }
+}
+
+int32_t lmb_look_ramp_at(const lmb_look *look, unsigned i, uint32_t argument_q30)
+{
+    int32_t rest_q15 = (int32_t)(argument_q30 < 0x40000000 ? (0x40000000 - argument_q30) >> 15 : 0);
+    int32_t v_q30 = lmb_mul_q15(look->light[i].quiet_q30, lmb_min(rest_q15, 32767));
+    return lmb_lobe_eval(&look->lobe, v_q30);
 }
 
 int lmb_look_lobe(lmb_look *look, enum lmb_lobe_kind kind, uint16_t tolerance)
 {
-    return lmb_lobe_prepare(&look->lobe, kind, look->lobe.shininess, tolerance);
+    int error = lmb_lobe_prepare(&look->lobe, kind, look->lobe.shininess, tolerance);
+    if (error == LMB_OK) lmb_look_tolerance(look, LMB_TOLERANCE_RGB888);
+    return error;
 }
 
 void lmb_rays_prepare(lmb_rays *rays, const lmb_look *look, const lmb_matrix *rotation)

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Meshes into triangles: pose, projection, the walk over what may be seen, and painter's order. */
+#include "flash.h"
+
 #include "clip.h"
+#include "triangle.h"
 #include "vec.h"
 
 #define NOT_ON_SCREEN INT32_MIN /* x of a corner that must be clipped */
@@ -8,11 +11,12 @@
 lmb_point lmb_mesh_place(const lmb_mesh *mesh, const lmb_pose *pose, uint32_t i)
 {
     int32_t turned[3];
+    lmb_vec room;
     /* Q.14 in mesh units to Q16.16 in units: times 2^(scale + 2), and scale <= -2 */
     unsigned down = (unsigned)-(mesh->scale + 2);
     int32_t half = lmb_shr(lmb_shl(1, down), 1);
     lmb_point p;
-    lmb_vec_rotate_wide(&pose->rotation, &mesh->positions[i], turned);
+    lmb_vec_rotate_wide(&pose->rotation, lmb_vec_read(&mesh->positions[i], &room), turned);
     p.x = lmb_add(pose->x, lmb_shr(lmb_add(turned[0], half), down));
     p.y = lmb_add(pose->y, lmb_shr(lmb_add(turned[1], half), down));
     p.z = lmb_add(pose->z, lmb_shr(lmb_add(turned[2], half), down));
@@ -23,7 +27,8 @@ static bool beyond_guard(int32_t q4) { return q4 > LMB_GUARD_NEAR * 16L || q4 < 
 
 static void project(const lmb_mesh *mesh, const lmb_pose *pose, const lmb_camera *camera, uint32_t i, lmb_vertex *vertex)
 {
-    lmb_vec_copy(&vertex->normal, &mesh->normals[i]);
+    lmb_vec room;
+    lmb_vec_copy(&vertex->normal, lmb_vec_read(&mesh->normals[i], &room));
     if (!lmb_project(camera, lmb_mesh_place(mesh, pose, i), vertex) ||
         (LMB_WITH_PERSPECTIVE && (beyond_guard(lmb_sub(vertex->x, camera->x)) || beyond_guard(lmb_sub(vertex->y, camera->y))))) {
         vertex->x = NOT_ON_SCREEN;
@@ -56,7 +61,7 @@ void lmb_mesh_begin(lmb_walk *walk, const lmb_mesh *mesh, const lmb_pose *pose, 
 
 /* The normal of a face, from its corners: the cross product of two edges, normalised. Of a face without area: some unit vector.
  * */
-static lmb_vec face_normal(const lmb_mesh *mesh, const uint16_t *index)
+static lmb_vec face_normal(const lmb_mesh *mesh, const LMB_FLASH uint16_t *index)
 {
     const lmb_vec a = mesh->positions[index[0]], b = mesh->positions[index[1]], c = mesh->positions[index[2]];
     int32_t e[6], largest = 0;
@@ -75,7 +80,7 @@ static lmb_vec face_normal(const lmb_mesh *mesh, const uint16_t *index)
 }
 
 /* Cuts a triangle that is not wholly on the screen; the walk hands the polygon out as a fan. */
-static void clip(lmb_walk *walk, const uint16_t *index)
+static void clip(lmb_walk *walk, const LMB_FLASH uint16_t *index)
 {
     lmb_corner corner[3];
     int i;
@@ -89,7 +94,7 @@ static void clip(lmb_walk *walk, const uint16_t *index)
 }
 
 /* For flat shading: the corners again, each with the normal of the face. */
-static void flatten(lmb_walk *walk, const uint16_t *index, const lmb_vertex *corner[3])
+static void flatten(lmb_walk *walk, const LMB_FLASH uint16_t *index, const lmb_vertex *corner[3])
 {
     const lmb_vec normal = face_normal(walk->mesh, index);
     int i;
@@ -102,14 +107,15 @@ static void flatten(lmb_walk *walk, const uint16_t *index, const lmb_vertex *cor
 
 bool lmb_mesh_next(lmb_walk *walk, lmb_triangle *triangle)
 {
+    triangle->look = walk->look;
+    triangle->rays = &walk->rays;
     for (;;) {
         const lmb_vertex *corner[3];
-        const uint16_t *index;
+        const LMB_FLASH uint16_t *index;
         int i;
         while (LMB_WITH_PERSPECTIVE && walk->fan + 1 < walk->corners) {
             unsigned k = walk->fan++;
-            if (lmb_triangle_begin(triangle, walk->look, &walk->rays, &walk->polygon[0], &walk->polygon[k], &walk->polygon[k + 1],
-                                   walk->window)) {
+            if (lmb_triangle_seen(triangle, &walk->polygon[0], &walk->polygon[k], &walk->polygon[k + 1], walk->window)) {
                 return true;
             }
         }
@@ -132,19 +138,20 @@ bool lmb_mesh_next(lmb_walk *walk, lmb_triangle *triangle)
             continue;
         }
         if (LMB_WITH_CORNERS && walk->look->model == LMB_MODEL_FLAT) flatten(walk, index, corner);
-        if (lmb_triangle_begin(triangle, walk->look, &walk->rays, corner[0], corner[1], corner[2], walk->window)) { return true; }
+        if (lmb_triangle_seen(triangle, corner[0], corner[1], corner[2], walk->window)) { return true; }
     }
 }
 
 /* How near a triangle is: the sum of its corners along the view axis, in mesh units; the pose's place is common to all. */
 static int16_t nearness(const lmb_mesh *mesh, const lmb_pose *pose, uint32_t triangle)
 {
-    const uint16_t *index = mesh->indices + (size_t)3 * triangle;
+    const LMB_FLASH uint16_t *index = mesh->indices + (size_t)3 * triangle;
     int32_t sum = 0;
     int i;
     for (i = 0; i < 3; i++) {
         int32_t turned[3];
-        lmb_vec_rotate_wide(&pose->rotation, &mesh->positions[index[i]], turned);
+        lmb_vec room;
+        lmb_vec_rotate_wide(&pose->rotation, lmb_vec_read(&mesh->positions[index[i]], &room), turned);
         sum = lmb_add(sum, lmb_shr(turned[2], 2));
     }
     return (int16_t)lmb_shr(sum, 15); /* |turned| < 2^30, |sum| < 3 * 2^28 < 2^30 */

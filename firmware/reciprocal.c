@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Reciprocal of an integer: a table and two steps of Newton's method, in 32-bit products alone. */
-#include "lambent.h"
+#include "flash.h"
 
 #include "../tables/reciprocal_table.h"
 

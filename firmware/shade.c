@@ -16,16 +16,19 @@
 
 #define ONE_Q28 0x10000000
 
-/* P - 1 = 1 / sqrt(1 - u/2) - 1, Q4.28. For u up to 1/4 (41 degrees) u/4 (1 + 3/8 u + 5/32 u^2 + 35/512 u^3), Taylor's series,
- * short of the truth by at most 1.3e-4 of it; above by reciprocal square root. u beyond LMB_ARC_U_MAX counts as that. */
+/* P - 1 = 1 / sqrt(1 - u/2) - 1, Q4.28, by Taylor's series u/4 + 3/32 u^2 + 5/128 u^3 + 35/2048 u^4: two terms for u up to 1/16 (20
+ * degrees), four up to 1/4 (41 degrees), short of the truth by at most 6.2e-4 and 1.3e-4 of it; above by reciprocal square root. u
+ * beyond LMB_ARC_U_MAX counts as that. */
 static int32_t bulge_factor_q28(int32_t u_q28)
 {
+    const int32_t u_q15 = lmb_shr(u_q28, 13); /* up to 2^13, where it serves */
     if (u_q28 <= ONE_Q28 / 4) {
-        int32_t u_q16 = lmb_shr(u_q28, 12); /* at most 2^14, so products stay under 2^29 */
-        int32_t h_q16 = lmb_add(10240, lmb_shr(lmb_mul(u_q16, 4480), 16));
-        h_q16 = lmb_add(24576, lmb_shr(lmb_mul(u_q16, h_q16), 16));
-        h_q16 = lmb_shr(lmb_mul(u_q16, h_q16), 16);
-        return lmb_add(lmb_shr(u_q28, 2), lmb_mul_q16(lmb_shr(u_q28, 2), (uint32_t)h_q16));
+        int32_t square_q30 = lmb_mul(u_q15, u_q15), factor = lmb_add(lmb_shr(u_q28, 2), lmb_shr(lmb_mul(square_q30, 3), 7));
+        if (u_q28 > ONE_Q28 / 16) {
+            int32_t cube_q30 = lmb_mul(lmb_shr(square_q30, 15), u_q15);
+            factor = lmb_add(factor, lmb_shr(lmb_mul(lmb_shr(cube_q30, 14), lmb_add(81920, lmb_mul(u_q15, 35) >> 5)), 9));
+        }
+        return factor;
     }
     u_q28 = lmb_min(u_q28, LMB_ARC_U_MAX);
     return lmb_shr((int32_t)(lmb_rsqrt_q30(((uint32_t)1 << 30) - ((uint32_t)u_q28 << 1)) - ((uint32_t)1 << 30)), 2);
@@ -34,26 +37,45 @@ static int32_t bulge_factor_q28(int32_t u_q28)
 /* a Q4.28 value times another in [-1, 1] of which 15 bits matter. */
 static int32_t times_q28(int32_t a, int32_t b_q28) { return lmb_mul_q15(a, lmb_min(lmb_shr(b_q28, 13), 32767)); }
 
-/* The bulges of a net from the bulge factors of its edges; mean - pull is what bulges. Edge i goes from corner i to the next. */
-static void net_bulge(lmb_net *net, const int32_t factor[3], int32_t pull)
+/* Between what a function over the triangle stays: its Bezier control values. */
+typedef struct range {
+    int32_t low, high;
+} range;
+
+static void range_take(range *r, int32_t value)
 {
-    unsigned i = 2, next;
-    for (next = 0; next < 3; i = next++) {
-        int32_t mean = lmb_shr(lmb_add(net->value[i], net->value[next]), 1);
-        net->bulge[i] = times_q28(factor[i], lmb_sub(mean, pull));
-    }
+    r->low = lmb_min(r->low, value);
+    r->high = lmb_max(r->high, value);
 }
 
-/* The greatest control value of a net: the function stays below it. */
-static int32_t net_high(const lmb_net *net)
+/* The range of the three values. */
+static range range_of(const int32_t value[3])
 {
-    int32_t high = INT32_MIN;
-    unsigned i = 2, next;
-    for (next = 0; next < 3; i = next++) {
-        int32_t mean = lmb_shr(lmb_add(net->value[i], net->value[next]), 1);
-        high = lmb_max(high, lmb_max(net->value[i], lmb_add(mean, lmb_shl(net->bulge[i], 1))));
-    }
-    return high;
+    range r = {value[0], value[0]};
+    range_take(&r, value[1]);
+    range_take(&r, value[2]);
+    return r;
+}
+
+/* The bulges of the edges of a triangle, where there are any: factors, and the largest. */
+typedef struct bend {
+    int32_t factor[3], most;
+} bend;
+
+/* The bulge of one edge of a net; mean - pull is what bulges. Widens the range. */
+static int32_t edge_bulge(int32_t from, int32_t to, int32_t factor, int32_t pull, range *r)
+{
+    int32_t mean = lmb_shr(lmb_add(from, to), 1), bulge = times_q28(factor, lmb_sub(mean, pull));
+    range_take(r, lmb_add(mean, lmb_shl(bulge, 1)));
+    return bulge;
+}
+
+/* Edge i goes from corner i to the next. */
+static void net_bulge(lmb_net *net, const bend *b, int32_t pull, range *r)
+{
+    net->bulge[0] = edge_bulge(net->value[0], net->value[1], b->factor[0], pull, r);
+    net->bulge[1] = edge_bulge(net->value[1], net->value[2], b->factor[1], pull, r);
+    net->bulge[2] = edge_bulge(net->value[2], net->value[0], b->factor[2], pull, r);
 }
 
 /* x times slope, UQ0.16, over 2^down. */
@@ -63,60 +85,114 @@ static int32_t scaled(int32_t x, uint32_t slope_q16, int32_t down)
     return down >= 0 ? lmb_shr(product, (unsigned)down) : lmb_shl(product, (unsigned)-down);
 }
 
-/* Turns a net of v into one of s / 2^exponent, s = alpha - slope v, with the exponent that keeps it inside (-2, 2). Returns the
- * value up to which the lobe is zero. */
-static int32_t net_argument(lmb_net *net, const lmb_lobe *lobe, uint8_t *exponent)
+/* Turns a net of v, none of it above high, into one of the argument / 2^exponent, top - slope v, with the exponent that keeps it
+ * inside (-2, 2); *low into what the argument does not pass. Returns the exponent. */
+static unsigned net_argument(lmb_net *net, const lmb_line *line, int32_t high, int32_t *low)
 {
-    /* slope v = product * 2^(slope_shift + 1) must stay under 2, 2^29 */
-    int32_t up = lobe->slope_shift + 1, most = lmb_mul_q16(lmb_max(net_high(net), 0), lobe->slope), down, alpha;
-    unsigned e = (unsigned)lmb_max((int32_t)(32u - lmb_clz32((uint32_t)most)) + up - 29, 0), i;
-    *exponent = (uint8_t)e;
+    /* slope v = product * 2^(shift + 1) must stay under 2, 2^29 */
+    int32_t up = line->shift + 1, most = lmb_mul_q16(lmb_max(high, 0), line->slope), down, top;
+    unsigned e = 0, i;
+    if (up > 29 || most >> (29 - lmb_max(up, 0))) e = (unsigned)lmb_max((int32_t)(32u - lmb_clz32((uint32_t)most)) + up - 29, 0);
     down = (int32_t)e - up;
-    alpha = lmb_shr(lobe->alpha_q30, e + 2);
+    top = lmb_shr(line->top_q30, e + 2);
     for (i = 0; i < 3; i++) {
-        net->value[i] = lmb_sub(alpha, scaled(net->value[i], lobe->slope, down));
-        net->bulge[i] = lmb_sub(0, scaled(net->bulge[i], lobe->slope, down));
+        net->value[i] = lmb_sub(top, scaled(net->value[i], line->slope, down));
+        if (net->curved) net->bulge[i] = lmb_sub(0, scaled(net->bulge[i], line->slope, down));
     }
-    return lmb_shr(lmb_shl(lobe->floor_q15, 13), e);
+    *low = lmb_sub(top, scaled(*low, line->slope, down));
+    return e;
 }
 
 static void dots_q28(int32_t out[3], const lmb_vertex *const corner[3], const lmb_vec *ray)
 {
+    const int32_t x = ray->x, y = ray->y, z = ray->z;
     unsigned i;
-    for (i = 0; i < 3; i++) out[i] = lmb_vec_dot_q28(&corner[i]->normal, ray);
+    for (i = 0; i < 3; i++) {
+        const lmb_vec *n = &corner[i]->normal;
+        out[i] = lmb_add(lmb_add(lmb_mul16(n->x, x), lmb_mul16(n->y, y)), lmb_mul16(n->z, z));
+    }
+}
+
+/* lmb_half_distance_q28, in line. */
+static inline int32_t distance_q28(const lmb_vec *a, const lmb_vec *b)
+{
+    const int32_t x = lmb_sub(a->x, b->x), y = lmb_sub(a->y, b->y), z = lmb_sub(a->z, b->z);
+    return lmb_shr(lmb_add(lmb_add(lmb_mul(x, x), lmb_mul(y, y)), lmb_mul(z, z)), 1);
 }
 
 static void distances_q28(int32_t out[3], const lmb_vertex *const corner[3], const lmb_vec *ray)
 {
     unsigned i;
-    for (i = 0; i < 3; i++) out[i] = lmb_vec_half_distance_q28(&corner[i]->normal, ray);
+    for (i = 0; i < 3; i++) out[i] = distance_q28(&corner[i]->normal, ray);
 }
 
-/* Begins a plane unless it stays at or below zero; returns bit i if it does not. */
-static uint8_t plane_begin(lmb_plane plane[], unsigned i, const lmb_lattice *lattice, const lmb_net *net, int32_t zero)
+/* N.L of light i. Where all corners are unlit the triangle is: bulges have the sign of what bulges. */
+static void shade_diffuse(lmb_triangle *t, lmb_lattice *lattice, unsigned i, const bend *b)
 {
-    if (net_high(net) <= zero) return 0;
-    lmb_plane_begin(&plane[i], lattice, net);
-    return (uint8_t)(1u << i);
+    lmb_net net;
+    range r;
+    dots_q28(net.value, lattice->corner, &t->rays->light[i].direction);
+    r = range_of(net.value);
+    if (r.high <= 0) return;
+    net.curved = b->most > t->look->light[i].straight_q28;
+    if (net.curved) net_bulge(&net, b, 0, &r);
+    t->diffuse_on = (uint8_t)(t->diffuse_on | 1u << i);
+    if (i == 0) {
+        t->low = r.low;
+        t->high = r.high;
+    }
+    lmb_plane_begin(&t->u.light[i].diffuse, lattice, &net);
+}
+
+/* The highlight's argument of light i. A triangle is dark if no control value reaches where the highlight begins to be seen; a
+ * bulge is no deeper than its factor. */
+static void shade_specular(lmb_triangle *t, lmb_lattice *lattice, unsigned i, const bend *b)
+{
+    const struct lmb_look_light *light = &t->look->light[i];
+    const int32_t quiet_q28 = lmb_shr(light->quiet_q30, 2);
+    lmb_net net;
+    range r;
+    distances_q28(net.value, lattice->corner, &t->rays->light[i].half);
+    r = range_of(net.value);
+    if (lmb_sub(r.low, lmb_shl(b->most, 1)) > quiet_q28) return;
+    net.curved = b->most != 0;
+    if (net.curved) {
+        net_bulge(&net, b, ONE_Q28, &r);
+        if (r.low > quiet_q28) return;
+    }
+    t->specular_on = (uint8_t)(t->specular_on | 1u << i);
+    t->exponent[i] = (uint8_t)net_argument(&net, &light->line, lmb_max(r.high, lmb_shl(b->most, 3)), &r.low);
+    if (i == 0) t->gleam = r.low;
+    lmb_plane_begin(&t->u.light[i].specular, lattice, &net);
+}
+
+/* The bends of a triangle's edges: from corner i to the next. */
+static void bends_set(bend *b, const lmb_vertex *const corner[3])
+{
+    unsigned i;
+    b->factor[0] = distance_q28(&corner[0]->normal, &corner[1]->normal);
+    b->factor[1] = distance_q28(&corner[1]->normal, &corner[2]->normal);
+    b->factor[2] = distance_q28(&corner[2]->normal, &corner[0]->normal);
+    b->most = 0;
+    for (i = 0; i < 3; i++) {
+        int32_t factor = bulge_factor_q28(b->factor[i]);
+        if (!LMB_WITH_LARGE) factor = lmb_min(factor, LMB_BULGE_MAX);
+        b->most = lmb_max(b->most, factor);
+        b->factor[i] = factor;
+    }
 }
 
 /* Diffuse and gloss by linear or quadratic planes. */
-static void shade_planes(lmb_triangle *t, const lmb_lattice *lattice, const lmb_vertex *const corner[3])
+static void shade_planes(lmb_triangle *t, lmb_lattice *lattice, const lmb_vertex *const corner[3])
 {
-    int32_t factor[3] = {0, 0, 0};
-    lmb_net net;
-    unsigned i = 2, next;
-    for (next = 0; next < 3 && lattice->curved; i = next++) {
-        factor[i] = bulge_factor_q28(lmb_vec_half_distance_q28(&corner[i]->normal, &corner[next]->normal));
-    }
+    bend b;
+    unsigned i;
+    b.most = 0;
+    if (t->look->step == LMB_STEP_QUADRATIC) bends_set(&b, corner);
+    lmb_lattice_begin(lattice, corner, b.most != 0, b.most > LMB_BULGE_MAX);
     for (i = 0; i < lmb_look_lights(t->look); i++) {
-        dots_q28(net.value, corner, &t->rays->light[i].direction);
-        net_bulge(&net, factor, 0);
-        t->diffuse_on |= plane_begin(t->u.plane.diffuse, i, lattice, &net, 0);
-        if (!lmb_bit(t->look->specular_on, i)) continue;
-        distances_q28(net.value, corner, &t->rays->light[i].half);
-        net_bulge(&net, factor, ONE_Q28);
-        t->specular_on |= plane_begin(t->u.plane.specular, i, lattice, &net, net_argument(&net, &t->look->lobe, &t->exponent[i]));
+        shade_diffuse(t, lattice, i, &b);
+        if (lmb_bit(t->look->specular_on, i)) shade_specular(t, lattice, i, &b);
     }
 }
 
@@ -126,19 +202,29 @@ static int32_t lobe_q28(const lmb_lobe *lobe, int32_t v_q28)
     return lmb_shl(lmb_lobe_eval(lobe, lmb_shl(lmb_min(v_q28, 2 * ONE_Q28 - 1), 2)), 13);
 }
 
-/* Gouraud: both terms lit at the corners, linear between. */
-static void shade_corners(lmb_triangle *t, const lmb_lattice *lattice, const lmb_vertex *const corner[3])
+/* Begins a linear plane unless it is zero; returns bit i if it is not. */
+static uint8_t corners_begin(lmb_plane *plane, unsigned i, lmb_lattice *lattice, const lmb_net *net)
 {
-    lmb_net net = {{0, 0, 0}, {0, 0, 0}};
+    if (!(net->value[0] | net->value[1] | net->value[2])) return 0;
+    lmb_plane_begin(plane, lattice, net);
+    return (uint8_t)(1u << i);
+}
+
+/* Gouraud: both terms lit at the corners, linear between. */
+static void shade_corners(lmb_triangle *t, lmb_lattice *lattice, const lmb_vertex *const corner[3])
+{
+    lmb_net net;
     unsigned i, k;
+    net.curved = false;
+    lmb_lattice_begin(lattice, corner, false, false);
     for (i = 0; i < lmb_look_lights(t->look); i++) {
         dots_q28(net.value, corner, &t->rays->light[i].direction);
         for (k = 0; k < 3; k++) net.value[k] = lmb_max(net.value[k], 0);
-        t->diffuse_on |= plane_begin(t->u.plane.diffuse, i, lattice, &net, 0);
+        t->diffuse_on = (uint8_t)(t->diffuse_on | corners_begin(&t->u.light[i].diffuse, i, lattice, &net));
         if (!lmb_bit(t->look->specular_on, i)) continue;
         distances_q28(net.value, corner, &t->rays->light[i].half);
         for (k = 0; k < 3; k++) net.value[k] = lobe_q28(&t->look->lobe, net.value[k]);
-        t->specular_on |= plane_begin(t->u.plane.specular, i, lattice, &net, 0);
+        t->specular_on = (uint8_t)(t->specular_on | corners_begin(&t->u.light[i].specular, i, lattice, &net));
     }
 }
 
@@ -151,29 +237,32 @@ static void shade_face(lmb_triangle *t, const lmb_vertex *const corner[3])
     for (i = 0; i < lmb_look_lights(t->look); i++) {
         int32_t value = lmb_dot_q28(n, t->rays->light[i].direction);
         if (value > 0) {
-            t->diffuse_on |= (uint8_t)(1u << i);
-            t->u.plane.diffuse[i].f = lmb_shl(value, 2);
+            t->diffuse_on = (uint8_t)(t->diffuse_on | 1u << i);
+            t->u.light[i].diffuse.f = lmb_shl(value, 2);
         }
         if (!lmb_bit(t->look->specular_on, i)) continue;
         value = lobe_q28(&t->look->lobe, lmb_half_distance_q28(n, t->rays->light[i].half));
         if (value > 0) {
-            t->specular_on |= (uint8_t)(1u << i);
-            t->u.plane.specular[i].f = lmb_shl(value, 2);
+            t->specular_on = (uint8_t)(t->specular_on | 1u << i);
+            t->u.light[i].specular.f = lmb_shl(value, 2);
         }
     }
 }
 
-void lmb_shade_begin(lmb_triangle *t, const lmb_lattice *lattice, const lmb_vertex *const corner[3])
+void lmb_shade_begin(lmb_triangle *t, lmb_lattice *lattice, const lmb_vertex *const corner[3])
 {
     t->diffuse_on = t->specular_on = 0;
     t->kind = LMB_SPAN_PLANE;
+    t->low = t->high = 0;
     if (LMB_WITH_CORNERS && t->look->model == LMB_MODEL_FLAT) {
         t->kind = LMB_SPAN_FLAT;
+        lmb_lattice_begin(lattice, corner, false, false);
         shade_face(t, corner);
     } else if (LMB_WITH_CORNERS && t->look->model == LMB_MODEL_GOURAUD) {
         shade_corners(t, lattice, corner);
     } else if (LMB_WITH_ARC && t->look->step == LMB_STEP_ARC) {
         t->kind = LMB_SPAN_ARC;
+        lmb_lattice_begin(lattice, corner, false, false);
         t->diffuse_on = (uint8_t)((1u << t->look->lights) - 1u);
         t->specular_on = t->look->specular_on;
     } else {
@@ -183,17 +272,17 @@ void lmb_shade_begin(lmb_triangle *t, const lmb_lattice *lattice, const lmb_vert
 
 void lmb_shade_arc(const lmb_triangle *t, lmb_span *span, lmb_vec from, lmb_vec to, uint32_t length, uint32_t start)
 {
-    /* s = slope f + (alpha - slope), both parts over 2^exponent; slope < 2^(slope_shift + 1), so s is in (-2, 2) then */
-    const lmb_lobe *lobe = &t->look->lobe;
-    int32_t above = lobe->slope_shift + 1, exponent = lmb_max(above, 0);
-    uint32_t scale_q16 = (uint32_t)lobe->slope >> (exponent - above);
     unsigned i;
     lmb_arc_between(&span->arc, from, to, length, start);
     for (i = 0; i < lmb_look_lights(t->look); i++) {
+        /* slope f + (top - slope), both parts over 2^exponent; slope < 2^(shift + 1), so the sum is in (-2, 2) then */
+        const lmb_line *line = &t->look->light[i].line;
+        const int32_t above = line->shift + 1, exponent = lmb_max(above, 0);
+        const uint32_t scale_q16 = (uint32_t)line->slope >> (exponent - above);
         lmb_arc_dot(&span->arc, &span->diffuse[i], from, to, t->rays->light[i].direction, 65536);
         if (!lmb_bit(t->specular_on, i)) continue;
         lmb_arc_dot(&span->arc, &span->specular[i], from, to, t->rays->light[i].half, scale_q16);
-        span->specular[i].c = lmb_sub(lmb_shr(lobe->alpha_q30, (unsigned)exponent), (int32_t)(scale_q16 << 14));
+        span->specular[i].c = lmb_sub(lmb_shr(line->top_q30, (unsigned)exponent), (int32_t)(scale_q16 << 14));
         span->exponent[i] = (uint8_t)exponent;
     }
 }

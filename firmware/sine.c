@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Sine, cosine and rotation matrices from angles in 1/65536 of a turn. */
-#include "lambent.h"
+#include "flash.h"
 
 #include "../tables/sine_table.h"
 

@@ -19,6 +19,13 @@ typedef struct lmb_lobe {
     bool crossed;            /* which form: see lobe.h */
 } lmb_lobe;
 
+/* The argument of the highlight at v = 1 - N.H: top - slope v, zero where the highlight ceases to be seen. */
+typedef struct lmb_line {
+    int32_t top_q30;
+    uint16_t slope; /* mantissa in [32768, 65535] */
+    int8_t shift;   /* slope = mantissa * 2^(shift - 15) */
+} lmb_line;
+
 /* Material, lights and choices, prepared once. Fields may change without notice. */
 typedef struct lmb_look {
     lmb_lobe lobe;
@@ -28,6 +35,9 @@ typedef struct lmb_look {
     struct lmb_look_light {
         lmb_vec direction, half;                  /* unit, in space */
         uint16_t diffuse_q15[3], specular_q15[3]; /* material times light */
+        int32_t quiet_q30, dark_q16;              /* 1 - N.H, and s, from where on the highlight is not to be seen */
+        int32_t straight_q28;                     /* the bend up to which linear N.L is good enough */
+        lmb_line line;
     } light[LMB_LIGHTS];
 } lmb_look;
 
@@ -55,8 +65,7 @@ typedef struct lmb_arc {
 /* One edge of a triangle, walked row by row without error: x is the first pixel whose centre is not left of the edge, gap how far
  * that centre lies behind the edge, in pixels times modulus. */
 typedef struct lmb_edge {
-    int32_t x, step;
-    uint32_t gap, part, modulus;
+    int32_t x, step, gap, part, modulus;
 } lmb_edge;
 
 /* A normal that turns evenly along an edge, row by row; along one beyond LMB_ARC_U_MAX its components run linearly and it is
@@ -69,32 +78,41 @@ typedef struct lmb_edge_arc {
     bool straight; /* beyond LMB_ARC_U_MAX, or close to it */
 } lmb_edge_arc;
 
-/* A quadratic over the triangle in wrapping Q2.30, at the triangle's anchor: value, its first differences and its second
+/* A quadratic over the triangle in wrapping Q2.30, at some pixel: value, first differences to the right and down, second
  * differences. */
 typedef struct lmb_plane {
     int32_t f, dx, dy, dxx, dxy, dyy;
 } lmb_plane;
 
-/* A triangle on its way into spans. Fields may change without notice. */
+/* A triangle on its way into spans. Its planes stand in one column, at the next row. What rows need comes first, where cores with
+ * short offsets reach it in one instruction. Fields may change without notice. */
 typedef struct lmb_triangle {
     uint8_t kind, diffuse_on, specular_on, exponent[LMB_LIGHTS];
     bool long_right; /* the edge from top to bottom is the right one */
+    bool depth_on;   /* depth is set */
+    bool inside;     /* no column lies outside of the window */
+    bool rough;      /* planes may leave their bounds by more than 1/64 */
     const lmb_look *look;
     const lmb_rays *rays;
-    const lmb_vertex *corner[3]; /* top, middle, bottom */
-    int32_t window_left, window_right;
-    int32_t y, y_switch, y_end; /* next row, first row below the middle corner, first row below the triangle */
-    int32_t column, row;        /* the anchor of the planes */
     lmb_edge edge[2];           /* left, right */
-    lmb_plane depth;
+    int32_t y, y_switch, y_end; /* next row, first row below the middle corner, first row below the triangle */
+    int32_t column;             /* of the planes */
     union {
         struct {
-            lmb_plane diffuse[LMB_LIGHTS], specular[LMB_LIGHTS];
-        } plane;
+            lmb_plane diffuse, specular;
+        } light[LMB_LIGHTS];
+#if LMB_WITH_ARC
         struct {
             lmb_edge_arc left, right;
         } arc;
+#endif
     } u;
+    int32_t window_left, window_right;
+    int32_t low, high, gleam;    /* bounds of light 0 over the triangle, Q4.28: of diffuse, upper one of specular */
+    const lmb_vertex *corner[3]; /* top, middle, bottom */
+#if LMB_WITH_DEPTH
+    lmb_plane depth;
+#endif
 } lmb_triangle;
 
 /* Projection onto the screen. Fields may change without notice. */
@@ -108,7 +126,7 @@ typedef struct lmb_camera {
 } lmb_camera;
 
 /* Corners a polygon can have after clipping a triangle against the near plane and the four sides. */
-#define LMB_CLIP_MAX 8
+#define LMB_CLIP_MAX (LMB_WITH_PERSPECTIVE ? 8 : 3)
 
 /* A walk over the visible triangles of a mesh. Fields may change without notice. */
 typedef struct lmb_walk {

@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Unit vectors and rotations in Q2.14, and the reciprocal square root, in 32-bit products alone. */
+#include "flash.h"
+
 #include "vec.h"
 
 #include "../tables/rsqrt_table.h"

@@ -25,14 +25,16 @@ int main(int argc, char **argv)
     lmb_camera camera;
     lmb_surface surface;
     lmb_look look;
+    static lmb_paint paint;
     if (!LMB_WITH_ARC && lmb_look_prepare(&look, &material, &light, 1, LMB_MODEL_GLOSS, LMB_STEP_ARC) != LMB_ERROR_VALUE) return 1;
     if (!LMB_WITH_CORNERS && lmb_look_prepare(&look, &material, &light, 1, LMB_MODEL_FLAT, LMB_STEP_LINEAR) != LMB_ERROR_VALUE) return 2;
     if (!LMB_WITH_PERSPECTIVE && lmb_camera_perspective(&camera, 240, 240, 240 * 65536L, 65536L, 8 * 65536L) != LMB_ERROR_VALUE) return 3;
     if (lmb_camera_orthographic(&camera, 240, 240, 110 * 65536L, 65536L, 8 * 65536L)) return 4;
     if (lmb_look_prepare(&look, &material, &light, 1, LMB_MODEL_GLOSS, LMB_STEP_QUADRATIC)) return 5;
+    lmb_paint_prepare(&paint, &look, format);
     lmb_surface_strip(&surface, format, frame, NULL, 240, 0, 240);
     lmb_clear(&surface, night);
-    if (lmb_draw_mesh(&surface, &mesh_icosphere_320, &pose, &camera, &look, NULL, NULL) < 30000) return 6;
+    if (lmb_draw_mesh(&surface, &mesh_icosphere_320, &pose, &camera, &paint, NULL, NULL) < 30000) return 6;
     return fwrite(frame, 240 * 240 * lmb_format_bytes(format), 1, stdout) == 1 ? 0 : 7;
 }
 END
@@ -48,7 +50,7 @@ draw() {
 }
 
 draw full565 5 && draw full888 8 || { echo "FAIL configurations: the full one does not draw"; exit 1; }
-for left_out in ARC CORNERS PERSPECTIVE DEPTH LARGE LOBES RGB888 RGB565; do
+for left_out in ARC CORNERS PERSPECTIVE DEPTH LARGE LOBES RAMPS RGB888 RGB565; do
     format=5 full=full565
     [ $left_out = RGB565 ] && format=8 full=full888
     if why=$(draw lean $format "-DLMB_WITH_$left_out=0") && cmp -s "$work/lean" "$work/$full"; then

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Looks: what is taken and refused, material times light for every pair of colours, half vectors against doubles. */
+/* Looks: what is taken and refused, material times light for every pair of colours, half vectors against doubles; highlights that
+ * do not show, and their ramps. */
 #include "../firmware/lambent.h"
 #include "test.h"
 
@@ -93,11 +94,154 @@ static void test_half_vectors(test_random *random)
     test_verdict(worst_turned <= 0.5001, "look: rays in a mesh's space", "off by %.4f / 16384 at most", worst_turned);
 }
 
+/* ------------------------------------------------------------------------------------------ highlights that do not show */
+
+static lmb_rgb random_colour(test_random *random)
+{
+    const int64_t faint = test_integer(random, 0, 3);
+    lmb_rgb c = {(uint8_t)(test_integer(random, 0, 255) >> faint), (uint8_t)(test_integer(random, 0, 255) >> 2 * faint),
+                 (uint8_t)(test_integer(random, 0, 255) >> 3 * faint)};
+    return c;
+}
+
+static void random_look(test_random *random, lmb_look *look, enum lmb_lobe_kind kind)
+{
+    lmb_material material;
+    lmb_light light[LMB_LIGHTS];
+    unsigned i, n = (unsigned)test_integer(random, 1, LMB_LIGHTS);
+    material.ambient = material.diffuse = random_colour(random);
+    material.specular = random_colour(random);
+    material.shininess = (uint16_t)exp(test_real(random, 0, log(LMB_SHININESS_MAX + 0.9)));
+    for (i = 0; i < n; i++) {
+        const lmb_vec forward = {0, 0, 16384};
+        light[i].direction = forward;
+        light[i].colour = random_colour(random);
+    }
+    if (lmb_look_prepare(look, &material, light, n, LMB_MODEL_GLOSS, LMB_STEP_QUADRATIC)) abort();
+    if (lmb_look_lobe(look, kind, (uint16_t)test_integer(random, 0, 500))) abort();
+}
+
+/* A light's brightest specular channel, of one. */
+static double strength_of(const struct lmb_look_light *light)
+{
+    return fmax(fmax(light->specular_q15[0], light->specular_q15[1]), light->specular_q15[2]) / 32768;
+}
+
+/* The argument of the highlight at v = 1 - N.H as planes have it, in doubles. */
+static double argument_at(const struct lmb_look_light *light, double v)
+{
+    return ldexp(light->line.top_q30, -30) - ldexp(light->line.slope, light->line.shift - 15) * v;
+}
+
+static double lobe_at(const lmb_look *look, double v)
+{
+    return lmb_lobe_eval(&look->lobe, (int32_t)fmin(ldexp(v, 30), 2147483647.0)) / 32768.0;
+}
+
+/* What a place v of a light's highlight comes to: how much beyond the tolerance it is where it is left out, how much short of it
+ * where it is not. */
+typedef struct shows {
+    double beyond, short_of;
+} shows;
+
+static void take_place(shows *e, const lmb_look *look, unsigned i, double v, double tolerance)
+{
+    const double brightness = strength_of(&look->light[i]) * lobe_at(look, v);
+    if (v < 0 || v > 2 - ldexp(1, -17)) return; /* W_m of a small n is still bright at the far end, and is left out there alone */
+    if (look->specular_on >> i & 1 && argument_at(&look->light[i], v) > 0) {
+        e->short_of = fmax(e->short_of, tolerance - brightness);
+    } else {
+        e->beyond = fmax(e->beyond, brightness - tolerance);
+    }
+}
+
+/* The lobe is stepped in 2^-15 and so is what the material makes of it; s is stepped in 2^-16, of which m squarings make up to 2^m
+ * times as much; and the last place that shows is known to 2^-18 of v, over which cos^n falls by less than n 2^-18. */
+static double doubt(const lmb_look *look)
+{
+    return ldexp(2, -15) + ldexp(1, look->lobe.multiplications - 16) + ldexp(look->lobe.shininess, -18);
+}
+
+/* Whatever the lobe, what is left out is fainter than the tolerance, and what is not left out is not; dark is s there. */
+static void test_tolerance(test_random *random)
+{
+    shows e = {0, 0};
+    double share = 0;
+    int i, faults = 0, none = 0, lights = 0;
+    for (i = 0; i < 20000; i++) {
+        const uint16_t tolerance = (uint16_t)(i % 4 ? test_integer(random, 0, 65535) >> test_integer(random, 0, 16) : 0);
+        lmb_look look;
+        unsigned k;
+        int p;
+        random_look(random, &look, (enum lmb_lobe_kind)(i % 5));
+        if (i & 1) lmb_look_ramp(&look); /* undone */
+        lmb_look_tolerance(&look, tolerance);
+        for (k = 0; k < look.lights; k++, lights++) {
+            const struct lmb_look_light *light = &look.light[k];
+            const double quiet = ldexp(light->quiet_q30, -30);
+            shows here = {0, 0};
+            faults += light->dark_q16 != lmb_lobe_argument(&look.lobe, light->quiet_q30);
+            faults += (look.specular_on >> k & 1) != (light->quiet_q30 > 0);
+            faults += fabs(argument_at(light, 0) - (look.lobe.alpha_q30 - light->dark_q16 * 16384.0) / 1073741824.0) > 0;
+            none += light->quiet_q30 == 0;
+            for (p = -20; p <= 20; p++) take_place(&here, &look, k, quiet + ldexp(p, -19), tolerance / 65536.0);
+            for (p = 0; p <= 40; p++) take_place(&here, &look, k, p / 20.0, tolerance / 65536.0);
+            share = fmax(share, fmax(here.beyond, here.short_of) / doubt(&look));
+            e.beyond = fmax(e.beyond, here.beyond);
+            e.short_of = fmax(e.short_of, here.short_of);
+        }
+    }
+    test_verdict(!faults && share <= 1 && none > 0, "look: highlights fainter than the tolerance are left out, and no others",
+                 "%d faults of %d lights, %d without a highlight; left out up to %.6f beyond it, kept up to %.6f short of it, "
+                 "%.2f of the bound",
+                 faults, lights, none, e.beyond, e.short_of, share);
+}
+
+/* A ramp's argument falls from one at N.H = 1 to zero at quiet, and gives the lobe there: cos^n but for what the lobe errs, its
+ * place rounded to 2^-15 of the ramp. */
+static void test_ramp(test_random *random)
+{
+    double worst_line = 0, worst = 0, share = 0;
+    int i, ends = 0, falls = 0, highlights = 0;
+    for (i = 0; i < 4000; i++) {
+        lmb_look look;
+        unsigned k, p;
+        random_look(random, &look, LMB_LOBE_TUNED);
+        lmb_look_tolerance(&look, (uint16_t)(test_integer(random, 0, 9999) >> test_integer(random, 0, 14)));
+        lmb_look_ramp(&look);
+        for (k = 0; k < look.lights; k++) {
+            const struct lmb_look_light *light = &look.light[k];
+            const double quiet = ldexp(light->quiet_q30, -30), steep = look.lobe.shininess * quiet;
+            int32_t last = 0;
+            if (!(look.specular_on >> k & 1)) continue;
+            highlights++;
+            worst_line = fmax(worst_line, fmax(fabs(argument_at(light, 0) - 1), fabs(argument_at(light, quiet))));
+            ends += lmb_look_ramp_at(&look, k, 0x40000000) != 32768 || lmb_look_ramp_at(&look, k, 0xffffffff) != 32768;
+            for (p = 0; p <= 512; p++) {
+                const uint32_t argument = p == 512 ? 0x40000000 : (p << 21) + (uint32_t)test_integer(random, 0, 0x1fffff);
+                const double v = quiet * (1 - ldexp(argument, -30)), want = v < 1 ? pow(1 - v, look.lobe.shininess) : 0;
+                const int32_t got = lmb_look_ramp_at(&look, k, argument);
+                const double bound = look.lobe.error_uq16 / 65536.0 + ldexp(steep, -15) + ldexp(1, -15);
+                falls += got < last;
+                last = got;
+                worst = fmax(worst, fabs(got / 32768.0 - want));
+                share = fmax(share, fabs(got / 32768.0 - want) / bound);
+            }
+        }
+    }
+    test_verdict(worst_line <= ldexp(1, -15) && !ends && !falls && share <= 1,
+                 "look: ramps fall from one to where the highlight ends, and give the lobe",
+                 "%d highlights: ends off by %.7f, %d not one at the centre, %d fall; lobe off by %.5f, %.2f of the bound",
+                 highlights, worst_line, ends, falls, worst, share);
+}
+
 int main(int argc, char **argv)
 {
     test_random random = test_seed(argc, argv);
     test_look_errors();
     test_products();
     test_half_vectors(&random);
+    test_tolerance(&random);
+    test_ramp(&random);
     return test_end();
 }

@@ -13,6 +13,7 @@ void lmb_surface_strip(lmb_surface *surface, enum lmb_format format, void *pixel
     surface->window.right = (int16_t)width;
     surface->window.top = (int16_t)top;
     surface->window.bottom = (int16_t)bottom;
+    surface->window.depth = depth != NULL;
 }
 
 void lmb_clear(const lmb_surface *surface, lmb_rgb colour)
@@ -40,20 +41,12 @@ void lmb_clear(const lmb_surface *surface, lmb_rgb colour)
 }
 
 uint32_t lmb_draw_mesh(const lmb_surface *surface, const lmb_mesh *mesh, const lmb_pose *pose, const lmb_camera *camera,
-                       const lmb_look *look, const lmb_vertex *vertices, const uint16_t *order)
+                       const lmb_paint *paint, const lmb_vertex *vertices, const uint16_t *order)
 {
     lmb_walk walk;
     lmb_triangle triangle;
-    lmb_span span;
-    lmb_paint paint;
     uint32_t pixels = 0;
-    lmb_paint_prepare(&paint, look, (enum lmb_format)surface->format);
-    lmb_mesh_begin(&walk, mesh, pose, camera, look, &surface->window, vertices, order);
-    while (lmb_mesh_next(&walk, &triangle)) {
-        while (lmb_triangle_next(&triangle, &span)) {
-            lmb_fill_span(surface, look, &paint, &span);
-            pixels += span.length;
-        }
-    }
+    lmb_mesh_begin(&walk, mesh, pose, camera, &paint->look, &surface->window, vertices, order);
+    while (lmb_mesh_next(&walk, &triangle)) pixels += lmb_fill_triangle(surface, paint, &triangle);
     return pixels;
 }

@@ -1,31 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* The filler: spans into pixels, in loops that the compiler fuses with the library's inline steps.
+/* The filler: spans and triangles into pixels, in loops that the compiler fuses with the library's inline steps.
  *
- * A channel is level = (ambient + sum of diffuse * d + specular * s) >> shift, one 32-bit sum: d and s are UQ1.15, the
- * coefficients have 15 bits, and each of the three parts is at most 2^30 (one light), so the sum stays under 2^32 and is
- * saturated once at the end. With more lights each light's sum is saturated before the next; all parts are positive, so that
- * changes nothing.
- *
- * One loop is written, lit_run; constant arguments make eight of it: two formats, planes or arcs, highlight or not.
+ * One light on RGB565 takes ramps (run.h), everything else three sums (levels.h). lit_run is written once; constant arguments make
+ * eight of it: two formats, planes or arcs, highlight or not.
  */
-#include "fill.h"
+#include "run.h"
 
-#if defined(__GNUC__)
-#define ALWAYS_INLINE inline __attribute__((always_inline))
-#else
-#define ALWAYS_INLINE inline
-#endif
-
-#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
-#define STORE_ORDER(x) ((uint16_t)((uint16_t)(x) >> 8 | (uint16_t)(x) << 8))
-#else
-#define STORE_ORDER(x) ((uint16_t)(x))
-#endif
-
-/* Greatest level of each channel, and fraction bits of its sum: levels * 2^fraction is just under 2^30. */
-typedef struct channel {
-    uint8_t top, fraction;
-} channel;
+/* From a term in Q2.30 to the lobe's entry, Q16.16. */
+#define LOBE_ENTRY_SHIFT 14
 
 /* Which of the two; a constant where only one is built in. */
 static ALWAYS_INLINE bool is_rgb565(const lmb_surface *surface)
@@ -33,59 +15,16 @@ static ALWAYS_INLINE bool is_rgb565(const lmb_surface *surface)
     return LMB_WITH_RGB565 && (!LMB_WITH_RGB888 || surface->format == LMB_RGB565);
 }
 
-static ALWAYS_INLINE channel channel_of(int format, int i)
-{
-    channel c;
-    c.top = format == LMB_RGB888 ? 255 : i == 1 ? 63 : 31;
-    c.fraction = format == LMB_RGB888 ? 22 : i == 1 ? 24 : 25;
-    return c;
-}
-LMB_STATIC_ASSERT(255ull << 22 < 1ull << 30 && 63ull << 24 < 1ull << 30 && 31ull << 25 < 1ull << 30);
-LMB_STATIC_ASSERT(3 * (1ull << 30) + (1ull << 24) < 1ull << 32);
-
-/* UQ1.15 times top, as a coefficient whose product with UQ1.15 has the channel's fraction. */
-static uint32_t coefficient(uint32_t q15, channel c)
-{
-    return (lmb_mulu(q15, c.top) + ((uint32_t)1 << (29 - c.fraction))) >> (30 - c.fraction);
-}
-
-void lmb_paint_prepare(lmb_paint *paint, const lmb_look *look, enum lmb_format format)
-{
-    int known = lmb_format_bytes(format) == 2 ? LMB_RGB565 : LMB_RGB888, i; /* a constant where one is built in */
-    unsigned k;
-    for (i = 0; i < 3; i++) {
-        const channel c = channel_of(known, i);
-        paint->ambient[i] =
-            lmb_mulu((uint32_t)look->ambient_q15[i] << (c.fraction - 15), c.top) + ((uint32_t)1 << (c.fraction - 1));
-        for (k = 0; k < lmb_look_lights(look); k++) {
-            paint->light[k].diffuse[i] = (uint16_t)coefficient(look->light[k].diffuse_q15[i], c);
-            paint->light[k].specular[i] = (uint16_t)coefficient(look->light[k].specular_q15[i], c);
-        }
-    }
-}
-
-/* From a term in Q2.30 to the lobe's entry, Q16.16. */
-#define LOBE_ENTRY_SHIFT 14
-
 /* -----------------------------------------------------------------------------------------------------------------------
  * pixels */
 
-static ALWAYS_INLINE uint32_t level(uint32_t sum, channel c)
-{
-    uint32_t l = sum >> c.fraction;
-    return l > c.top ? c.top : l;
-}
-
 static ALWAYS_INLINE void store(int format, void *pixel, const uint32_t sum[3])
 {
-    uint32_t r = level(sum[0], channel_of(format, 0)), g = level(sum[1], channel_of(format, 1)),
-             b = level(sum[2], channel_of(format, 2));
+    int i;
     if (format == LMB_RGB565) {
-        *(uint16_t *)pixel = STORE_ORDER(r << 11 | g << 5 | b);
+        *(uint16_t *)pixel = STORE_ORDER(pixel_of_565(sum));
     } else {
-        ((uint8_t *)pixel)[0] = (uint8_t)r;
-        ((uint8_t *)pixel)[1] = (uint8_t)g;
-        ((uint8_t *)pixel)[2] = (uint8_t)b;
+        for (i = 0; i < 3; i++) ((uint8_t *)pixel)[i] = (uint8_t)level(sum[i], channel_of(LMB_RGB888, i));
     }
 }
 
@@ -113,24 +52,43 @@ static ALWAYS_INLINE bool depth_pass(uint16_t *stored, lmb_term *depth)
     return true;
 }
 
-/* One light; diffuse, with or without a highlight. */
-static ALWAYS_INLINE void lit_run(const lmb_look *look, const lmb_paint *paint, const lmb_span *span, uint8_t *pixel,
-                                  uint16_t *stored, int format, bool arc, bool highlight)
+/* The argument of the lobe as a span carries it. */
+static ALWAYS_INLINE int32_t argument_of(const lmb_term *specular, bool arc)
 {
-    const unsigned shift = LOBE_ENTRY_SHIFT - (highlight ? span->exponent[0] : 0);
+    return arc ? lmb_add_wrap(specular->f, specular->c) : specular->f;
+}
+
+/* The lobe at a highlight's argument, UQ1.15. */
+static ALWAYS_INLINE uint32_t lobe_of(const lmb_look *look, unsigned i, int32_t argument, unsigned shift)
+{
+    return argument > 0 ? (uint32_t)lmb_lobe_at(&look->lobe, lmb_add(argument >> shift, look->light[i].dark_q16)) : 0;
+}
+
+/* One light on RGB888: three sums. */
+static ALWAYS_INLINE void pixel_888(const lmb_paint *paint, void *pixel, int32_t diffuse, uint32_t lobe_q15)
+{
+    uint32_t sum[3] = {paint->ambient[0], paint->ambient[1], paint->ambient[2]};
+    add_light(sum, paint->light[0].diffuse, intensity(diffuse));
+    if (lobe_q15) add_light(sum, paint->light[0].specular, lobe_q15);
+    store(LMB_RGB888, pixel, sum);
+}
+
+/* One light; diffuse, with or without a highlight. */
+static ALWAYS_INLINE void one_light(const lmb_paint *paint, const lmb_span *span, uint8_t *pixel, uint16_t *stored, int format,
+                                    bool arc, bool highlight)
+{
+    const unsigned shift = (format == LMB_RGB565 ? GLEAM_SHIFT : LOBE_ENTRY_SHIFT) - (highlight ? span->exponent[0] : 0u);
     static const lmb_term none = {0, 0, 0};
     lmb_term diffuse = span->diffuse_on ? span->diffuse[0] : none, specular = span->specular[0], depth = span->depth;
-    const lmb_lobe lobe = look->lobe;
     unsigned n;
     for (n = span->length; n > 0; n--, pixel += format == LMB_RGB565 ? 2 : 3) {
         if (!LMB_WITH_DEPTH || !stored || depth_pass(stored++, &depth)) {
-            uint32_t sum[3] = {paint->ambient[0], paint->ambient[1], paint->ambient[2]};
-            add_light(sum, paint->light[0].diffuse, intensity(diffuse.f));
-            if (highlight) {
-                int32_t s = arc ? lmb_add_wrap(specular.f, specular.c) : specular.f;
-                if (s > 0) add_light(sum, paint->light[0].specular, (uint32_t)lmb_lobe_at(&lobe, s >> shift));
+            const int32_t argument = highlight ? argument_of(&specular, arc) : 0;
+            if (format == LMB_RGB565) {
+                *(uint16_t *)(void *)pixel = pixel_565(paint, diffuse.f, argument, shift);
+            } else {
+                pixel_888(paint, pixel, diffuse.f, highlight ? lobe_of(&paint->look, 0, argument, shift) : 0);
             }
-            store(format, pixel, sum);
         }
         if (arc) {
             lmb_arc_step(&span->arc, &diffuse);
@@ -151,9 +109,9 @@ static void light_pixel(uint32_t sum[3], const lmb_look *look, const lmb_paint *
         if (look->model != LMB_MODEL_GLOSS) {
             add_light(sum, paint->light[i].specular, intensity(specular->f));
         } else {
-            int32_t s = span->kind == LMB_SPAN_ARC ? lmb_add_wrap(specular->f, specular->c) : specular->f;
-            unsigned shift = LOBE_ENTRY_SHIFT - span->exponent[i];
-            if (s > 0) add_light(sum, paint->light[i].specular, (uint32_t)lmb_lobe_at(&look->lobe, s >> shift));
+            const int32_t argument = argument_of(specular, span->kind == LMB_SPAN_ARC);
+            add_light(sum, paint->light[i].specular,
+                      lobe_of(look, i, argument, (unsigned)(LOBE_ENTRY_SHIFT - span->exponent[i])));
         }
     }
 }
@@ -199,8 +157,8 @@ static void store_as(const lmb_surface *surface, uint8_t *pixel, const uint32_t 
 }
 
 /* One colour: the triangle is flat, or no light reaches it. */
-static void solid_run(const lmb_surface *surface, const lmb_look *look, const lmb_paint *paint, const lmb_span *span,
-                      uint8_t *pixel, uint16_t *stored)
+static void solid(const lmb_surface *surface, const lmb_look *look, const lmb_paint *paint, const lmb_span *span, uint8_t *pixel,
+                  uint16_t *stored)
 {
     lmb_term depth = span->depth;
     uint32_t sum[3] = {paint->ambient[0], paint->ambient[1], paint->ambient[2]};
@@ -234,37 +192,235 @@ static void general_run(const lmb_surface *surface, const lmb_look *look, const 
     }
 }
 
-static ALWAYS_INLINE void one_light_run(const lmb_look *look, const lmb_paint *paint, const lmb_span *span, uint8_t *pixel,
-                                        uint16_t *stored, int format)
+static ALWAYS_INLINE void one_light_run(const lmb_paint *paint, const lmb_span *span, uint8_t *pixel, uint16_t *stored,
+                                        int format)
 {
     if (LMB_WITH_ARC && span->kind == LMB_SPAN_ARC) {
         if (span->specular_on) {
-            lit_run(look, paint, span, pixel, stored, format, true, true);
+            one_light(paint, span, pixel, stored, format, true, true);
         } else {
-            lit_run(look, paint, span, pixel, stored, format, true, false);
+            one_light(paint, span, pixel, stored, format, true, false);
         }
     } else if (span->specular_on) {
-        lit_run(look, paint, span, pixel, stored, format, false, true);
+        one_light(paint, span, pixel, stored, format, false, true);
     } else {
-        lit_run(look, paint, span, pixel, stored, format, false, false);
+        one_light(paint, span, pixel, stored, format, false, false);
     }
 }
 
-void lmb_fill_span(const lmb_surface *surface, const lmb_look *look, const lmb_paint *paint, const lmb_span *span)
+/* The pixel in column 0 of a row. */
+static ALWAYS_INLINE uint8_t *row_of(const lmb_surface *surface, int32_t y)
+{
+    return (uint8_t *)surface->pixels + (size_t)lmb_sub(y, surface->window.top) * surface->pitch;
+}
+
+void lmb_fill_span(const lmb_surface *surface, const lmb_paint *paint, const lmb_span *span)
 {
     size_t row = (size_t)lmb_sub(span->y, surface->window.top), column = (size_t)lmb_sub(span->x, surface->window.left);
     size_t width = (size_t)lmb_sub(surface->window.right, surface->window.left);
-    uint8_t *pixel =
-        (uint8_t *)surface->pixels + row * surface->pitch + column * lmb_format_bytes((enum lmb_format)surface->format);
+    uint8_t *pixel = row_of(surface, span->y) + column * lmb_format_bytes((enum lmb_format)surface->format);
     uint16_t *stored = LMB_WITH_DEPTH && surface->depth ? surface->depth + row * width + column : NULL;
-    bool fast = lmb_look_lights(look) == 1 && (!LMB_WITH_CORNERS || look->model >= LMB_MODEL_DIFFUSE);
-    if ((LMB_WITH_CORNERS && span->kind == LMB_SPAN_FLAT) || !(span->diffuse_on | span->specular_on)) {
-        solid_run(surface, look, paint, span, pixel, stored);
-    } else if (!fast) {
-        general_run(surface, look, paint, span, pixel, stored);
-    } else if (is_rgb565(surface)) {
-        one_light_run(look, paint, span, pixel, stored, LMB_RGB565);
+    if (lmb_paint_is_simple(paint)) {
+        if (is_rgb565(surface)) {
+            one_light_run(paint, span, pixel, stored, LMB_RGB565);
+        } else {
+            one_light_run(paint, span, pixel, stored, LMB_RGB888);
+        }
+    } else if ((LMB_WITH_CORNERS && span->kind == LMB_SPAN_FLAT) || !(span->diffuse_on | span->specular_on)) {
+        solid(surface, &paint->look, paint, span, pixel, stored);
     } else {
-        one_light_run(look, paint, span, pixel, stored, LMB_RGB888);
+        general_run(surface, &paint->look, paint, span, pixel, stored);
     }
+}
+
+/* ------------------------------------------------------------------------------------------------------ triangles, row by row */
+
+#if LMB_WITH_RAMPS
+
+/* What the rows of a triangle are filled with. */
+typedef struct filling {
+    bool diffuse, specular; /* neither: one colour */
+    enum ramp_use ramp; /* unless uneven no row is cut by the window, and the highlight's argument lies on its ramp, exponent 0 */
+    bool straight;      /* N.L is linear */
+    bool saturates;     /* some sum of diffuse and highlight may run over */
+} filling;
+
+/* The term of a plane, straight: without a curve. */
+static ALWAYS_INLINE lmb_term term_of(const lmb_plane *plane, int32_t columns, bool straight)
+{
+    lmb_term term = {lmb_add_wrap(plane->f, lmb_mul_wrap(columns, plane->dx)), plane->dx, 0};
+    return straight ? term : lmb_plane_term(plane, columns);
+}
+
+/* One row of a triangle: n pixels from the one that is columns right of where the planes stand. */
+static ALWAYS_INLINE void fill_row(const lmb_paint *paint, const lmb_triangle *t, uint16_t *pixel, uint32_t n, int32_t columns,
+                                   unsigned shift, const filling how)
+{
+    const lmb_plane *diffuse = &t->u.light[0].diffuse, *specular = &t->u.light[0].specular;
+    if (how.specular) {
+        lit_run(paint, pixel, n, term_of(diffuse, columns, how.straight), lmb_plane_term(specular, columns), shift, how.ramp,
+                how.saturates);
+    } else if (how.diffuse) {
+        plain_run(paint->colour, pixel, n, term_of(diffuse, columns, how.straight), how.ramp);
+    } else {
+        solid_run(pixel, n, STORE_ORDER(paint->colour[0]));
+    }
+}
+
+/* All rows of a triangle of planes, one light, RGB565, no depth test: those above the middle corner, then those below. */
+static ALWAYS_INLINE uint32_t fill_rows(const lmb_surface *surface, const lmb_paint *paint, lmb_triangle *t, const filling how)
+{
+    uint8_t *row = row_of(surface, t->y) - 2 * (ptrdiff_t)surface->window.left;
+    const size_t pitch = surface->pitch;
+    const unsigned shift = how.specular && how.ramp == RAMP_UNEVEN ? (unsigned)(GLEAM_SHIFT - t->exponent[0]) : GLEAM_SHIFT;
+    uint32_t pixels = 0;
+    int32_t rows = lmb_sub(lmb_min(t->y_switch, t->y_end), t->y), rest = lmb_sub(lmb_sub(t->y_end, t->y), rows);
+    for (;;) {
+        do {
+            int32_t x = t->edge[0].x, end = t->edge[1].x;
+            if (how.ramp == RAMP_UNEVEN) {
+                x = lmb_max(x, t->window_left);
+                end = lmb_min(end, t->window_right);
+            }
+            if (end > x) {
+                pixels += (uint32_t)(end - x);
+                fill_row(paint, t, (uint16_t *)(void *)row + x, (uint32_t)(end - x), lmb_sub(x, t->column), shift, how);
+            }
+            FORGET();
+            row += pitch;
+            lmb_edge_step(&t->edge[0]);
+            lmb_edge_step(&t->edge[1]);
+            if (how.diffuse) {
+                lmb_plane *plane = &t->u.light[0].diffuse;
+                plane->f = lmb_add_wrap(plane->f, plane->dy);
+                if (!how.straight) {
+                    plane->dx = lmb_add_wrap(plane->dx, plane->dxy);
+                    plane->dy = lmb_add_wrap(plane->dy, plane->dyy);
+                }
+            }
+            if (how.specular) lmb_plane_row(&t->u.light[0].specular);
+            FORGET();
+        } while (--rows > 0);
+        if (rest == 0) return pixels;
+        t->y = t->y_switch;
+        lmb_triangle_turn(t);
+        rows = rest;
+        rest = 0;
+    }
+}
+
+#if LMB_LOOPS
+
+static NOINLINE uint32_t fill_solid(const lmb_surface *surface, const lmb_paint *paint, lmb_triangle *t)
+{
+    const filling how = {false, false, RAMP_EVEN, true, false};
+    return fill_rows(surface, paint, t, how);
+}
+
+static NOINLINE uint32_t fill_plain(const lmb_surface *surface, const lmb_paint *paint, lmb_triangle *t)
+{
+    const filling how = {true, false, RAMP_EVEN, false, false};
+    return fill_rows(surface, paint, t, how);
+}
+
+static NOINLINE uint32_t fill_plain_straight(const lmb_surface *surface, const lmb_paint *paint, lmb_triangle *t)
+{
+    const filling how = {true, false, RAMP_EVEN, true, false};
+    return fill_rows(surface, paint, t, how);
+}
+
+static NOINLINE uint32_t fill_plain_low(const lmb_surface *surface, const lmb_paint *paint, lmb_triangle *t)
+{
+    const filling how = {true, false, RAMP_LOW, false, false};
+    return fill_rows(surface, paint, t, how);
+}
+
+static NOINLINE uint32_t fill_plain_uneven(const lmb_surface *surface, const lmb_paint *paint, lmb_triangle *t)
+{
+    const filling how = {true, false, RAMP_UNEVEN, false, false};
+    return fill_rows(surface, paint, t, how);
+}
+
+static NOINLINE uint32_t fill_lit(const lmb_surface *surface, const lmb_paint *paint, lmb_triangle *t)
+{
+    const filling how = {true, true, RAMP_EVEN, false, false};
+    return fill_rows(surface, paint, t, how);
+}
+
+static NOINLINE uint32_t fill_lit_straight(const lmb_surface *surface, const lmb_paint *paint, lmb_triangle *t)
+{
+    const filling how = {true, true, RAMP_EVEN, true, false};
+    return fill_rows(surface, paint, t, how);
+}
+
+static NOINLINE uint32_t fill_lit_bright(const lmb_surface *surface, const lmb_paint *paint, lmb_triangle *t)
+{
+    const filling how = {true, true, RAMP_EVEN, false, true};
+    return fill_rows(surface, paint, t, how);
+}
+
+static NOINLINE uint32_t fill_lit_uneven(const lmb_surface *surface, const lmb_paint *paint, lmb_triangle *t)
+{
+    const filling how = {true, true, RAMP_UNEVEN, false, true};
+    return fill_rows(surface, paint, t, how);
+}
+
+/* The loop with the least in it that serves a triangle. */
+static uint32_t fill_simple(const lmb_surface *surface, const lmb_paint *paint, lmb_triangle *t)
+{
+    static const lmb_plane none = {0, 0, 0, 0, 0, 0};
+    const int32_t ramp = t->high >> (RAMP_SHIFT - 2), ramp_low = t->low >> (RAMP_SHIFT - 2);
+    const bool inside = t->inside && !t->rough && ramp < LMB_RAMP_TOP - 1; /* a step for what planes err */
+    lmb_plane *diffuse = &t->u.light[0].diffuse;
+    if (!t->diffuse_on && !t->specular_on && t->inside) return fill_solid(surface, paint, t);
+    if (!t->diffuse_on) *diffuse = none;
+    if (t->specular_on) {
+        const int32_t gleam = t->gleam >> (GLEAM_SHIFT - 2);
+        if (!inside || ramp_low < 1 || t->exponent[0] || gleam >= LMB_GLEAM_TOP - 4) return fill_lit_uneven(surface, paint, t);
+        if (carries_565(paint->colour[ramp + 1], paint->gleam[gleam + 4])) return fill_lit_bright(surface, paint, t);
+        return diffuse->dxx | diffuse->dxy | diffuse->dyy ? fill_lit(surface, paint, t) : fill_lit_straight(surface, paint, t);
+    }
+    if (!inside) return fill_plain_uneven(surface, paint, t);
+    if (ramp_low < 1) return fill_plain_low(surface, paint, t);
+    return diffuse->dxx | diffuse->dxy | diffuse->dyy ? fill_plain(surface, paint, t) : fill_plain_straight(surface, paint, t);
+}
+
+#else
+
+/* One loop for all: what a triangle lacks is drawn as nothing. */
+static uint32_t fill_simple(const lmb_surface *surface, const lmb_paint *paint, lmb_triangle *t)
+{
+    static const lmb_plane none = {0, 0, 0, 0, 0, 0};
+    const filling how = {true, true, RAMP_UNEVEN, false, true};
+    if (!t->diffuse_on) t->u.light[0].diffuse = none;
+    if (!t->specular_on) {
+        t->u.light[0].specular = none;
+        t->exponent[0] = 0;
+    }
+    return fill_rows(surface, paint, t, how);
+}
+
+#endif
+
+/* What is always so where nothing else is built in. */
+static bool is_ramped(const lmb_paint *paint)
+{
+    return paint->ramped || (LMB_WITH_RGB565 && !LMB_WITH_RGB888 && LMB_LIGHTS == 1 && !LMB_WITH_CORNERS);
+}
+static bool is_plane(const lmb_triangle *t) { return t->kind == LMB_SPAN_PLANE || (!LMB_WITH_ARC && !LMB_WITH_CORNERS); }
+
+#endif
+
+uint32_t lmb_fill_triangle(const lmb_surface *surface, const lmb_paint *paint, lmb_triangle *t)
+{
+    lmb_span span;
+    uint32_t pixels = 0;
+#if LMB_WITH_RAMPS
+    if (is_ramped(paint) && is_plane(t) && !(LMB_WITH_DEPTH && surface->depth)) { return fill_simple(surface, paint, t); }
+#endif
+    while (lmb_triangle_next(t, &span)) {
+        lmb_fill_span(surface, paint, &span);
+        pixels += span.length;
+    }
+    return pixels;
 }

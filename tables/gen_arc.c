@@ -63,7 +63,9 @@ int main(int argc, char **argv)
             " * in the place t inside the piece: Q4.28, UQ0.18 times t, UQ0.20 times t^2. Relative error at most %.1e up\n"
             " * to 90 degrees, %.1e up to 120. */\n",
             right, wide);
-    fprintf(out, "static const struct arc_piece {\n    int32_t value;\n    uint16_t slope, bend;\n} arc_table[%d] = {\n", PIECES);
+    fprintf(out,
+            "static const LMB_FLASH struct arc_piece {\n    int32_t value;\n    uint16_t slope, bend;\n} arc_table[%d] = {\n",
+            PIECES);
     for (i = 0; i < PIECES; i++)
         fprintf(out, "%s{%ld, %ld, %ld},%s", i % 4 ? " " : "    ", q[i][0], q[i][1], q[i][2], i % 4 == 3 ? "\n" : "");
     fprintf(out, "};\n");

@@ -252,7 +252,7 @@ static int print_constants(FILE *out, const row *r)
 static void print_numbers(FILE *out, const char *name, const row *table, unsigned count, unsigned start[])
 {
     unsigned next = 0, exact[2] = {~0u, ~0u};
-    fprintf(out, "static const int16_t %s[] = {\n", name);
+    fprintf(out, "static const LMB_FLASH int16_t %s[] = {\n", name);
     for (unsigned i = 0; i < count; i++) {
         const row *r = &table[i];
         unsigned *shared = is_exact(r) ? &exact[r->w.crossed] : NULL; /* all exact lobes of a form have the same constants */
@@ -281,7 +281,8 @@ int main(int argc, char **argv)
             " * power first: a Q2.14, b Q2.14, error UQ0.16; or constants: a Q2.14, b Q2.14, error UQ0.16, floor Q2.14.\n"
             " * These errors are upper bounds that allow for integer arithmetic; the comments give real arithmetic's. */\n\n");
     print_numbers(out, "lobe_numbers", rows, ROWS, start);
-    fprintf(out, "/* The most accurate: last n, form, where its numbers start. */\nstatic const lobe_row lobe_rows[] = {\n");
+    fprintf(out, "/* The most accurate: last n, form, where its numbers start. */\n"
+                 "static const LMB_FLASH lobe_row lobe_rows[] = {\n");
     for (unsigned i = 0; i < ROWS; i++) {
         fprintf(out, "    ");
         print_row(out, &rows[i], i + 1 < ROWS ? rows[i + 1].first - 1 : rows[i].last, start[i]);
@@ -289,7 +290,7 @@ int main(int argc, char **argv)
     }
     fprintf(out, "};\n\n/* Fewer multiplications. */\n");
     print_numbers(out, "cheap_numbers", cheap_rows, CHEAP_ROWS, cheap_start);
-    fprintf(out, "/* First n, and as above. */\nstatic const cheap_row cheap_rows[] = {\n");
+    fprintf(out, "/* First n, and as above. */\nstatic const LMB_FLASH cheap_row cheap_rows[] = {\n");
     for (unsigned i = 0; i < CHEAP_ROWS; i++) {
         fprintf(out, "    {%u, ", cheap_rows[i].first);
         print_row(out, &cheap_rows[i], cheap_rows[i].last, cheap_start[i]);

@@ -2,7 +2,7 @@
  * power first: a Q2.14, b Q2.14, error UQ0.16; or constants: a Q2.14, b Q2.14, error UQ0.16, floor Q2.14.
  * These errors are upper bounds that allow for integer arithmetic; the comments give real arithmetic's. */
 
-static const int16_t lobe_numbers[] = {
+static const LMB_FLASH int16_t lobe_numbers[] = {
     /* plain, m = 0, n = 1 and all others that are exact: max error 0.000000 */
     16384, 16384, 17, 0,
     /* crossed, m = 2, n = 3 and all others that are exact: max error 0.000000 */
@@ -32,7 +32,7 @@ static const int16_t lobe_numbers[] = {
 };
 
 /* The most accurate: last n, form, where its numbers start. */
-static const lobe_row lobe_rows[] = {
+static const LMB_FLASH lobe_row lobe_rows[] = {
     {1, 0, 0},
     {2, 1, 0},
     {3, CROSSED | 2, 4},
@@ -52,7 +52,7 @@ static const lobe_row lobe_rows[] = {
 };
 
 /* Fewer multiplications. */
-static const int16_t cheap_numbers[] = {
+static const LMB_FLASH int16_t cheap_numbers[] = {
     /* plain, m = 1, n = 3 to 1000: max error 0.069841 */
     0, 0, 0, 16384,
     147, 734, 3840, 11661,
@@ -72,7 +72,7 @@ static const int16_t cheap_numbers[] = {
 };
 
 /* First n, and as above. */
-static const cheap_row cheap_rows[] = {
+static const LMB_FLASH cheap_row cheap_rows[] = {
     {3, {1000, CUBIC | 1, 0}},
     {5, {1000, CUBIC | 2, 12}},
     {9, {27, CUBIC | 3, 24}},

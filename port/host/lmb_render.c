@@ -320,8 +320,10 @@ static int draw(const job *j, const lmb_mesh *mesh, const memory *m, lmb_surface
     lmb_camera camera;
     lmb_pose pose;
     lmb_look look;
+    lmb_paint paint;
     int top, error = look_prepare(j, &look);
     if (error) return error;
+    lmb_paint_prepare(&paint, &look, (enum lmb_format)j->format);
     place(j, &camera, &pose);
     lmb_mesh_project(mesh, &pose, &camera, m->vertices);
     if (m->order) error = lmb_mesh_sort(mesh, &pose, m->order, m->keys);
@@ -332,7 +334,7 @@ static int draw(const job *j, const lmb_mesh *mesh, const memory *m, lmb_surface
         lmb_surface_strip(&strip, (enum lmb_format)j->format, m->frame + (size_t)top * row_bytes, m->depth, j->width, top,
                           bottom);
         lmb_clear(&strip, j->background);
-        *shaded += lmb_draw_mesh(&strip, mesh, &pose, &camera, &look, m->vertices, m->order);
+        *shaded += lmb_draw_mesh(&strip, mesh, &pose, &camera, &paint, m->vertices, m->order);
     }
     lmb_surface_strip(frame, (enum lmb_format)j->format, m->frame, NULL, j->width, 0, j->height);
     return error;
