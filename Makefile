@@ -14,15 +14,34 @@ FIRMWARE := $(wildcard firmware/*.c)
 PORT := $(wildcard port/*.c)
 LIBRARY := $(FIRMWARE:%.c=$(B)/%.o) $(PORT:%.c=$(B)/%.o)
 MESHES := icosphere_320 icosphere_1280 torus teapot
-SCENES := $(MESHES:%=$(B)/meshes/%.o) $(B)/port/host/scenes.o
+SCENES := $(MESHES:%=$(B)/meshes/%.o) $(B)/port/demo/scenes.o
 OBJ := $(B)/port/host/obj.o $(B)/port/host/polygon.o $(B)/port/host/mesh_build.o
 TESTS := $(patsubst hosttest/%.c,%,$(wildcard hosttest/test_*.c))
 TABLES := $(patsubst tables/gen_%.c,%,$(wildcard tables/gen_*.c))
 # Generators of tables that are committed; the others write meshes at build time.
 TABLES := $(filter-out icosphere torus teapot,$(TABLES))
 
+# MORE: a file with blocks of your own.
+BLOCKS := port/targets.mk hosttest/variants.mk $(MORE)
+include port/targets.mk $(MORE) hosttest/variants.mk
+override TARGET := $(patsubst cortex-%,%,$(TARGET))
+ifneq ($(filter-out $(TARGETS) $(VARIANTS),$(TARGET)),)
+$(error unknown TARGET=$(TARGET); known: $(TARGETS); and to compare frames: $(VARIANTS))
+endif
+CHOSEN = $(or $(TARGET),$(TARGETS))
+COMPARED = $(or $(TARGET),$(TARGETS) $(filter-out reference,$(VARIANTS)))
+GATED = $(filter-out host-big-endian,$(COMPARED))
+# Whole frames and their depth want more than 8 KB.
+DIGESTED = $(filter-out atmega328p m3-stm32vl reference,$(COMPARED))
+# What size and stack are about: targets of their own, of which the small AVR is none.
+WEIGHABLE := $(filter-out host atmega328p,$(TARGETS))
+WEIGHED := $(if $(TARGET),$(filter $(TARGET),$(WEIGHABLE)),$(WEIGHABLE))
+STACKED := gloss-Os everything-Os gloss-O2 everything-O2
+PARTS := ARC CORNERS PERSPECTIVE DEPTH LARGE LOBES RGB565 RGB888 LIGHTS
+
 .DEFAULT_GOAL := help
 .PHONY: help demo check deps report figures pictures size exhaustive tables check-tables tools models tests clean
+.PHONY: firmware run boards frames digests gate profile stack budgets
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -47,15 +66,15 @@ check: deps
 deps:
 	$(Q)hosttest/deps.sh
 
-## report: write build/report/*.csv, the errors of lobes, arcs, spans and images
-report: report_tools
+## report: write build/report/*.csv, the errors of lobes, arcs, spans and images; sizes, cycles
+report: report_tools $(B)/report/size.csv $(B)/report/cycles.csv $(B)/report/kernel_cycles.csv
 	$(Q)mkdir -p $(B)/report
 	$(Q)for t in lobe arc span image; do \
 	    echo "$(B)/report/$$t.csv"; $(B)/bin/report_$$t > $(B)/report/$$t.csv || exit 1; done
 
 ## figures: write the README's table of figures anew
 figures: report
-	$(Q)hosttest/size.sh $(B)/size > $(B)/report/size.txt; hosttest/figures.sh $(B)/report $(B)/report/size.txt
+	$(Q)hosttest/figures.sh $(B)/report
 
 ## pictures: write docs/pictures/*.png anew from the demo scenes (needs oiiotool)
 pictures: demo
@@ -64,9 +83,45 @@ pictures: demo
 	    -o docs/pictures/gallery.png
 	$(Q)oiiotool $(B)/demo/still-life.bmp -o docs/pictures/still-life.png
 
-## size: bytes of flash on Cortex-M0+, by function, against the budget
-size:
-	$(Q)hosttest/size.sh $(B)/size
+## firmware: build/firmware/TARGET/frames.elf for all targets, or TARGET=...; sizes of each
+firmware: $(CHOSEN:%=$(B)/firmware/%/frames.elf)
+	$(Q)set -e; $(foreach t,$(CHOSEN),hosttest/sections.sh $t "$($t.prefix)" $(B)/firmware/$t/frames.elf;)
+
+## run: draw the demo scenes on emulated boards, all or TARGET=..., into build/frames/TARGET/*.565
+run: $(CHOSEN:%=run-%)
+
+## frames: the same with more compilers and options, compared byte for byte with the host's; report/frames.csv if all
+frames: $(COMPARED:%=compare-%)
+	@mkdir -p $(B)/report
+	$(Q)$(if $(TARGET),:,{ echo target,scene,bytes,crc32,matches_host; cat $(CHOSEN:%=$(B)/frames/%/frames.csv); } > $(B)/report/frames.csv)
+	$(Q)cat $(COMPARED:%=$(B)/frames/%/verdict); ! grep -q "^FAIL" $(COMPARED:%=$(B)/frames/%/verdict)
+
+## boards: start-up, console, files, counter and faults of each board, or TARGET=...
+boards: $(CHOSEN:%=board-%)
+	$(Q)cat $(CHOSEN:%=$(B)/boards/%/verdict); ! grep -q "^FAIL" $(CHOSEN:%=$(B)/boards/%/verdict)
+
+## digests: mathematics, lobes, arcs and every model on all targets, or TARGET=..., compared with the host's by their hashes
+digests: $(DIGESTED:%=digest-%)
+	$(Q)cat $(DIGESTED:%=$(B)/digests/%/verdict); ! grep -q "^FAIL" $(DIGESTED:%=$(B)/digests/%/verdict)
+
+## gate: objects and images of all targets, or TARGET=..., hold no division, square root or float
+gate: $(GATED:%=gate-%)
+	$(Q)cat $(GATED:%=$(B)/gate/%); ! grep -q "^FAIL" $(GATED:%=$(B)/gate/%)
+
+## profile: instructions and cycles of frames by function; TARGET=... [SCENE=...] [MODEL=...] [LIST=function]
+profile: $(if $(TARGET),profile-$(TARGET),profile-help)
+
+## size: text, rodata, data, bss and stack of each configuration and its largest functions, all targets or TARGET=...
+size: $(WEIGHED:%=$(B)/size/%/size.txt) $(if $(filter m0plus,$(WEIGHED)),$(B)/size/m0plus/parts.txt)
+	$(Q)[ -n "$(WEIGHED)" ] || { echo "size: $(TARGET) is not weighed"; exit 1; }; cat $^
+
+## stack: deepest chains of calls on all targets, or TARGET=..., and how deep the stack of an emulated one really goes
+stack: $(WEIGHED:%=$(B)/size/%/stack.txt)
+	$(Q)[ -n "$(WEIGHED)" ] || { echo "stack: $(TARGET) is not followed"; exit 1; }; cat $^; ! grep -q "^FAIL" $^ /dev/null
+
+## budgets: the figures of the last make report against hosttest/budgets.txt
+budgets:
+	$(Q)hosttest/budgets.sh $(B)/report hosttest/budgets.txt
 
 ## exhaustive: the tests whose domain has 2^32 values; takes minutes
 exhaustive: $(B)/bin/test_vec
@@ -165,6 +220,116 @@ $(B)/bin/lmb-demo $(B)/bin/lmb-mesh $(B)/bin/lmb-render:
 	@mkdir -p $(@D)
 	$(Q)$(LINK)
 
+# -------------------------------------------------------------------------------------------------------- firmware for the targets
+
+# Boards link with nothing but what is here and the compiler's own helpers.
+BARE_LINK = -nostartfiles -nostdlib -Wl,--gc-sections -Wl,--fatal-warnings -L linker -T $($1.ld) -lgcc
+SCENES_OF = $(if $(filter-out all,$($1.scenes)),-DSCENES='(0$(foreach s,$(shell echo $($1.scenes) | tr a-z- A-Z_),|SCENE_WITH_$s))')
+
+# firmware_rules TARGET: build/firmware/TARGET/NAME.elf from port/demo/NAME.c, the scenes, the board and the library. Whatever is
+# under a folder of sources is built into the same folder there.
+define firmware_rules
+$1.cc ?= $$($1.prefix)gcc
+$1.link ?= $$(call BARE_LINK,$1)
+$1.sources ?= $$(wildcard port/$$($1.board)/*.c port/$$($1.board)/*.S) port/demo/memory.c
+$1.support = $$(patsubst %,$$(B)/firmware/$1/%.o,$$(basename $$($1.sources)) port/demo/scenes $$(MESHES:%=meshes/%))
+$1.compile = $$($1.cc) $$(LMB_CFLAGS) $$(INTEGER_CFLAGS) -ffreestanding -ffunction-sections -fdata-sections $$($1.flags)
+
+$$(B)/firmware/$1/port/demo/%.o: private SPECIAL = -DLMB_STRIP_BYTES=$$($1.strip) $$(call SCENES_OF,$1)
+
+$$(B)/firmware/$1/%.o: %.c $$(BLOCKS)
+	@mkdir -p $$(@D)
+	$$(Q)$$($1.compile) $$(SPECIAL) $$(CPPFLAGS) $$(CFLAGS) -MMD -MP -c $$< -o $$@
+
+$$(B)/firmware/$1/%.o: %.S $$(BLOCKS)
+	@mkdir -p $$(@D)
+	$$(Q)$$($1.compile) $$(SPECIAL) $$(CPPFLAGS) $$(CFLAGS) -MMD -MP -c $$< -o $$@
+
+$$(B)/firmware/$1/meshes/%.o: $$(B)/meshes/%.c $$(BLOCKS)
+	@mkdir -p $$(@D)
+	$$(Q)$$($1.compile) $$(SPECIAL) $$(CPPFLAGS) $$(CFLAGS) -MMD -MP -c $$< -o $$@
+
+$$(B)/firmware/$1/liblambent.a: $$(patsubst %.c,$$(B)/firmware/$1/%.o,$$(FIRMWARE) $$(PORT))
+	$$(Q)rm -f $$@ && $$($1.prefix)ar rcs $$@ $$^
+
+$$(B)/firmware/$1/%.elf: $$(B)/firmware/$1/port/demo/%.o $$($1.support) $$(B)/firmware/$1/liblambent.a $$($1.ld) $$(wildcard linker/*sections.ld)
+	$$(Q)$$($1.compile) $$(CFLAGS) $$(filter %.o %.a,$$^) -o $$@ $$($1.link) $$(LDFLAGS)
+
+.PHONY: run-$1 compare-$1 gate-$1 board-$1 digest-$1
+run-$1: $$(B)/firmware/$1/frames.elf $$($1.needs)
+	$$(Q)echo "$1: $$(if $$($1.without),$$($1.scenes); others are left out: $$($1.without),all scenes)"
+	$$(Q)hosttest/frames.sh run $$(B)/frames/$1 $$(call $1.run,$$(abspath $$<))
+
+compare-$1: $$(B)/firmware/$1/frames.elf $$(B)/bin/crc32 reference-frames $$($1.needs)
+	$$(Q)hosttest/frames.sh run $$(B)/frames/$1 $$(call $1.run,$$(abspath $$<)) > /dev/null || true
+	$$(Q)hosttest/frames.sh compare $1 $$(B)/frames/$1 $$(B)/frames/reference $$(B)/bin/crc32 "$$($1.scenes)" "$$($1.without)" \
+	    > $$(B)/frames/$1/verdict
+
+board-$1: $$(B)/firmware/$1/selftest.elf $$(if $$($1.fault),$$(B)/firmware/$1/fault.elf) $$($1.needs)
+	@mkdir -p $$(B)/boards
+	$$(Q)hosttest/boards.sh $1 $$(B)/boards/$1 "$$($1.prefix)nm" "$$($1.counter)" "$$($1.fault)" \
+	    $$(abspath $$(B)/firmware/$1/selftest.elf $$(B)/firmware/$1/fault.elf) \
+	    $$(call $1.run,IMAGE) > $$(B)/boards/$1.verdict; \
+	    mv $$(B)/boards/$1.verdict $$(B)/boards/$1/verdict
+
+digest-$1: $$(B)/firmware/$1/digest.elf $$(B)/firmware/reference/digest.elf $$($1.needs)
+	@mkdir -p $$(B)/digests
+	$$(Q)hosttest/digest.sh $1 $$(abspath $$(B)/digests/$1) $$(abspath $$(B)/firmware/reference/digest.elf) \
+	    $$(call $1.run,$$(abspath $$<)) > $$(B)/digests/$1.verdict; mv $$(B)/digests/$1.verdict $$(B)/digests/$1/verdict
+
+# A board that links with a libc holds what that brings along: only its objects are judged.
+gate-$1: $$(B)/firmware/$1/liblambent.a $$(B)/firmware/$1/frames.elf
+	@mkdir -p $$(B)/gate
+	$$(Q)hosttest/gate.sh $1 "$$($1.prefix)" "$$($1.calls)" $$< $$(if $$($1.ld),$$(B)/firmware/$1/frames.elf) > $$(B)/gate/$1 || true
+endef
+$(foreach t,$(TARGETS) $(VARIANTS),$(eval $(call firmware_rules,$t)))
+
+.PHONY: reference-frames
+reference-frames: $(B)/firmware/reference/frames.elf
+	$(Q)hosttest/frames.sh run $(B)/frames/reference $(abspath $<) > /dev/null
+
+$(B)/bin/crc32: $(B)/hosttest/crc32.o
+	@mkdir -p $(@D)
+	$(Q)$(LINK)
+
+$(B)/bin/avr-run: $(B)/hosttest/avr_run.o
+	@mkdir -p $(@D)
+	$(Q)$(LINK) -lsimavr
+
+include hosttest/profile/profile.mk
+
+# --------------------------------------------------------------------------------------------------------------- sizes and stacks
+
+# size_rules TARGET: build/size/TARGET/CONFIGURATION-OPTIMISATION/*.elf and what is read off them.
+# A source of the board that is named as a helper of libgcc stands for one that is missing there.
+WEIGHED_FILES := $(wildcard firmware/*.[ch] port/*.[ch] tables/*_table.h hosttest/size_* hosttest/size.ld)
+define size_rules
+$$(B)/size/$1/%/whole.elf: $$(WEIGHED_FILES) port/targets.mk
+	$$(Q)hosttest/size_image.sh $$(@D) "$$($1.prefix)" "$$($1.flags)" $$(filter %di3.c,$$($1.sources))
+
+$$(B)/size/$1/%/marked.elf: $$(B)/size/$1/%/whole.elf $$(B)/meshes/icosphere_320.c $$(wildcard hosttest/stack*) $$($1.sources) $$($1.ld)
+	$$(Q)hosttest/stack_image.sh $$(@D) "$$($1.prefix)" "$$($1.flags)" "$$($1.link)" $$(B)/meshes/icosphere_320.c $$($1.sources)
+
+$$(B)/size/$1/size.txt: hosttest/size.sh $$(wildcard hosttest/stack.*) $$(foreach c,empty flat diffuse gloss everything,$$(B)/size/$1/$$c-Os/whole.elf)
+	$$(Q)hosttest/size.sh table $1 "$$($1.prefix)" $$(@D) > $$@
+
+$$(B)/size/$1/size.csv: $$(B)/size/$1/size.txt
+	$$(Q)hosttest/size.sh csv $1 "$$($1.prefix)" $$(@D) > $$@
+
+$$(B)/size/$1/parts.txt: $$(B)/size/$1/size.txt $$(foreach p,$$(PARTS),$$(B)/size/$1/without-$$p-Os/whole.elf)
+	$$(Q)hosttest/size.sh parts $1 "$$($1.prefix)" $$(@D) > $$@
+
+# A verdict that fails is still a verdict: make stack shows them all and fails then.
+$$(B)/size/$1/stack.txt: $$(foreach s,$$(STACKED),$$(B)/size/$1/$$s/marked.elf) $$($1.needs)
+	$$(Q){ $$(foreach s,$$(STACKED),hosttest/stack.sh chains "$$($1.prefix)" $$(@D)/$$s "$1 $$s"; \
+	    hosttest/stack.sh watermark "$$($1.prefix)" $$(@D)/$$s "$1 $$s" $$(call $1.run,$$(abspath $$(@D))/$$s/marked.elf); )true; } > $$@ 2>&1
+endef
+$(foreach t,$(WEIGHABLE),$(eval $(call size_rules,$t)))
+
+$(B)/report/size.csv: $(WEIGHABLE:%=$(B)/size/%/size.csv)
+	@mkdir -p $(@D)
+	$(Q){ echo core,configuration,text,rodata,data,bss,stack; cat $^; } > $@
+
 # ------------------------------------------------------------------------------------------------------------- tests and reports
 
 $(B)/hosttest/%.o: hosttest/%.c
@@ -179,9 +344,10 @@ LINK = $(CC) $(LMB_CFLAGS) $(CFLAGS) $(filter %.o,$^) $(filter %.a,$^) -o $@ $(L
 REFERENCE := $(patsubst %.c,$(B)/%.o,$(wildcard hosttest/reference*.c))
 
 $(B)/bin/test_meshes: $(MESHES:%=$(B)/meshes/%.o)
-$(B)/bin/test_raster $(B)/bin/test_terms: $(B)/hosttest/shapes.o
+$(B)/bin/test_raster $(B)/bin/test_rows $(B)/bin/test_terms: $(B)/hosttest/shapes.o
 $(B)/bin/test_obj: $(B)/port/host/polygon.o $(B)/port/host/mesh_build.o
 $(B)/bin/report_image: $(SCENES) $(REFERENCE)
+$(B)/bin/test_compare: $(patsubst %.c,$(B)/%.o,$(wildcard hosttest/compare/*.c)) $(SCENES) $(REFERENCE)
 
 $(B)/bin/test_image: $(B)/hosttest/test_image.o $(B)/hosttest/oiio.o $(SCENES) $(REFERENCE) $(B)/liblambent.a
 	@mkdir -p $(@D)

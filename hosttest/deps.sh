@@ -3,7 +3,15 @@
 # Installs what the tests need, from Debian packages; says which, and does nothing where nothing is missing.
 set -u
 
-packages="clang gcc-arm-none-eabi g++ libopenimageio-dev pkg-config make gcc libc6-dev"
+# The host: compilers, 32 bits as well, judging images.
+packages="make gcc g++ clang libc6-dev lib32gcc-12-dev libc6-dev-i386 pkg-config libopenimageio-dev openimageio-tools"
+# A big-endian host.
+packages="$packages gcc-powerpc-linux-gnu libc6-dev-powerpc-cross qemu-user"
+# The boards: compilers and emulators.
+packages="$packages gcc-arm-none-eabi gcc-riscv64-unknown-elf gcc-xtensa-lx106 gcc-avr binutils-avr avr-libc"
+packages="$packages qemu-system-arm qemu-system-misc libsimavr-dev"
+# Charts, and counts that repeat.
+packages="$packages gnuplot-nox valgrind"
 
 missing=
 for p in $packages; do

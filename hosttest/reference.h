@@ -15,7 +15,7 @@
 #ifndef LMB_REFERENCE_H
 #define LMB_REFERENCE_H
 
-#include "../port/host/scenes.h"
+#include "../port/demo/scenes.h"
 
 /* -------------------------------------------------------------------------------------------------------------------- vectors */
 

@@ -3,7 +3,7 @@
 #ifndef LMB_REFERENCE_SCENES_H
 #define LMB_REFERENCE_SCENES_H
 
-#include "../port/host/scenes.h"
+#include "../port/demo/scenes.h"
 
 enum hard_mesh {
     HARD_TETRAHEDRON,   /* 4 triangles, normals 109 degrees apart */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* lmb-demo: renders the demo scenes to BMP files, as firmware would, and says what each took. */
 #include "bmp.h"
-#include "scenes.h"
+#include "../demo/scenes.h"
 
 #include <errno.h>
 #include <stdio.h>

@@ -1,14 +1,33 @@
 /* SPDX-License-Identifier: MIT */
-/* The demo scenes: what `make demo` draws, the judge judges and the figures are about. */
+/* The demo scenes: what `make demo` draws, the boards draw, the judge judges and the figures are about. */
 #ifndef LMB_SCENES_H
 #define LMB_SCENES_H
 
 #include "../fill.h"
 
+/* Which scenes are built in: all, or the sum of some on a board with little flash. Meshes that none of them shows are not
+ * linked. */
+#define SCENE_WITH_ICOSPHERE_320 0x001
+#define SCENE_WITH_ICOSPHERE_320_TIGHT 0x002
+#define SCENE_WITH_ICOSPHERE_1280 0x004
+#define SCENE_WITH_ICOSPHERE_1280_TIGHT 0x008
+#define SCENE_WITH_TORUS 0x010
+#define SCENE_WITH_TORUS_TIGHT 0x020
+#define SCENE_WITH_TEAPOT 0x040
+#define SCENE_WITH_TEAPOT_TIGHT 0x080
+#define SCENE_WITH_STILL_LIFE 0x100
+#define SCENE_WITH_ICOSPHERE_128 0x200
+#ifndef SCENES
+#define SCENES 0x3ff
+#endif
+LMB_STATIC_ASSERT((SCENES) > 0 && (SCENES) <= 0x3ff);
+
+/* Room for things in a scene. */
+#if (SCENES) & SCENE_WITH_STILL_LIFE
 #define SCENE_OBJECTS 6
-#define SCENE_NAMES                                                                                                              \
-    "icosphere-320", "icosphere-320-tight", "icosphere-1280", "icosphere-1280-tight", "torus", "torus-tight", "teapot",          \
-        "teapot-tight", "still-life"
+#else
+#define SCENE_OBJECTS 1
+#endif
 
 enum scene_surface { SCENE_MESH_ONLY, SCENE_SPHERE, SCENE_TORUS }; /* the true surface behind a mesh, where there is one */
 
