@@ -73,7 +73,7 @@ suite() {
 lines() { grep -aE '^(pass|FAIL) ' | tee -a "$log/verdicts"; }
 
 say "public headers alone"
-for h in firmware/lambent.h port/fill.h; do
+for h in firmware/lambent.h port/fill.h port/board.h; do
     for std in c99 c11 c++11; do
         case $std in c++*) lang=c++ ;; *) lang=c ;; esac
         echo "#include \"$h\"" | $CC -x $lang -std=$std -Wall -Wextra -Wpedantic -Werror -I. -fsyntax-only - 2>"$log/header"
@@ -129,21 +129,45 @@ if build sanitized gcc "-O1 -fsanitize=address,undefined -fno-sanitize-recover=a
 fi
 
 say "no division, no square root, no float"
-hosttest/gate.sh host "" "$build/gcc/liblambent.a" 2>&1 | lines
-hosttest/gate.sh host "" "$build/clang/liblambent.a" 2>&1 | lines
-for o in Os O2 O3; do
-    mkdir -p "$build/m0plus"
-    (cd "$build/m0plus" && rm -f ./*.o lib.a && for f in ../../../firmware/*.c ../../../port/*.c; do
-        arm-none-eabi-gcc -mcpu=cortex-m0plus -mthumb -std=c99 -$o -ffreestanding -Wall -Wextra -Werror -I../../../firmware -c "$f" || exit 1
-    done && arm-none-eabi-ar rcs lib.a ./*.o) >"$log/m0plus" 2>&1
-    verdict $? "build m0plus" "arm-none-eabi-gcc -$o, warnings as errors" "$log/m0plus"
-    hosttest/gate.sh m0plus arm-none-eabi- "$build/m0plus/lib.a" 2>&1 | lines
-done
+hosttest/gate.sh library-gcc "" "" "$build/gcc/liblambent.a" 2>&1 | lines
+hosttest/gate.sh library-clang "" "" "$build/clang/liblambent.a" 2>&1 | lines
 hosttest/test_gate.sh 2>&1 | lines
 
-say "size"
-hosttest/size.sh "$build/size" | tee "$log/size" | grep -v '^pass\|^FAIL'
-lines <"$log/size"
+# on_targets WHAT: make WHAT for all targets. Its lines count; so does an end without any that says why.
+on_targets() {
+    $MAKE -k -s -j2 B="$build/targets" CC=gcc CFLAGS="$strict" "$1" >"$log/$1" 2>&1
+    status=$?
+    lines <"$log/$1"
+    if [ $status != 0 ] && ! grep -aq "^FAIL" "$log/$1"; then verdict $status "$1" "make $1 for all targets" "$log/$1"; fi
+}
+
+say "firmware for all targets"
+$MAKE -k -s -j2 B="$build/targets" CC=gcc CFLAGS="$strict" firmware >"$log/firmware" 2>&1
+verdict $? "build firmware" "warnings as errors" "$log/firmware"
+grep -a ' rodata ' "$log/firmware"
+say "boards"
+on_targets boards
+say "frames of all targets, byte for byte those of the host"
+on_targets frames
+hosttest/test_frames.sh "$build/targets" 2>&1 | lines
+MAKE="$MAKE" hosttest/test_porting.sh "$build/targets" 2>&1 | lines
+say "mathematics, lobes, arcs and every model on all targets, as on the host"
+on_targets digests
+hosttest/test_avr_run.sh "$build/targets/bin/avr-run" 2>&1 | lines
+say "no division, no square root, no float on any target"
+on_targets gate
+
+say "sizes"
+$MAKE -k -s -j2 B="$build/targets" size >"$log/size" 2>&1
+verdict $? "size" "flat, diffuse, gloss and everything on all targets" "$log/size"
+cat "$log/size"
+say "stacks"
+hosttest/test_stack.sh 2>&1 | lines
+on_targets stack
+
+say "the profiler"
+MAKE="$MAKE" CC=gcc CFLAGS="$strict" run profiler hosttest/profile/test_profile.sh "$build/targets"
+show profiler
 
 say "reports and the README's figures"
 mkdir -p "$build/report"
@@ -151,7 +175,16 @@ for t in lobe arc span image; do
     "$build/gcc/bin/report_$t" >"$build/report/$t.csv" 2>"$log/report"
     verdict $? "report" "$t.csv, $(wc -l <"$build/report/$t.csv") lines" "$log/report"
 done
-hosttest/figures.sh "$build/report" "$log/size" --check 2>&1 | lines
+for t in size cycles kernel_cycles; do
+    $MAKE -s -j2 B="$build/targets" CC=gcc CFLAGS="$strict" "$build/targets/report/$t.csv" >"$log/report" 2>&1 &&
+        cp "$build/targets/report/$t.csv" "$build/report"
+    verdict $? "report" "$t.csv, $(grep -c , "$build/report/$t.csv") lines" "$log/report"
+done
+hosttest/figures.sh "$build/report" --check 2>&1 | lines
+
+say "budgets"
+hosttest/test_budgets.sh 2>&1 | lines
+hosttest/budgets.sh "$build/report" hosttest/budgets.txt 2>&1 | lines
 
 passed=$(grep -ac '^pass ' "$log/verdicts")
 failed=$(grep -ac '^FAIL ' "$log/verdicts")

@@ -1,10 +1,10 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The README's table of figures, from build/report/*.csv and the size of a linked image; written between its marks.
-# usage: figures.sh REPORT_FOLDER SIZE_LOG [--check]    (--check: compare only, exit status 1 if the README differs)
+# The README's tables of figures, from build/report/*.csv; written between its marks.
+# usage: figures.sh REPORT_FOLDER [--check]    (--check: compare only, exit status 1 if the README differs)
 set -u
-report=$1 sizes=$2 mode=${3:-write}
-for f in "$report/lobe.csv" "$report/arc.csv" "$report/span.csv" "$report/image.csv" "$sizes"; do
+report=$1 mode=${2:-write}
+for f in "$report/lobe.csv" "$report/arc.csv" "$report/span.csv" "$report/image.csv" "$report/size.csv"; do
     [ -s "$f" ] || { echo "figures: $f is missing; run make figures"; exit 1; }
 done
 work=$(mktemp -d)
@@ -12,7 +12,16 @@ trap 'rm -rf "$work"' EXIT
 
 # worst FILE CONDITION COLUMN: the largest value of a column where an awk condition on the fields holds.
 worst() { awk -F, "NR > 1 && $2 { if (\$$3 + 0 > w) w = \$$3 + 0 } END { printf \"%.2g\", w }" "$1"; }
-bytes() { awk -v what="$1" 'index($0, "  " what) == 1 { for (i = 1; i < NF; i++) if ($(i + 1) == "bytes") print $i }' "$sizes"; }
+# sizes CORE NAME: a row of the table of sizes.
+sizes() {
+    awk -F, -v core="$1" -v name="$2" '
+        NR > 1 && $1 == core { flash[$2] = $3 + $4 + $5; ram[$2] = $5 + $6; stack[$2] = $7; n++ }
+        END {
+            if (n != 4) exit 1
+            printf "| %s | %d | %d | %d | %d | %d | %s |\n", name, flash["flat"], flash["diffuse"], flash["gloss"], flash["everything"], \
+                ram["everything"], stack["gloss"]
+        }' "$report/size.csv" || { echo "figures: $1 is missing in $report/size.csv" >&2; exit 1; }
+}
 
 {
     echo "<!-- figures: begin (make figures) -->"
@@ -35,11 +44,17 @@ bytes() { awk -v what="$1" 'index($0, "  " what) == 1 { for (i = 1; i < NF; i++)
         END { for (i = 1; i <= n; i++) { s = order[i]; printf "| %s | %d | %.1f dB | %d | %.3f %% | %d |\n", s, pixels[s], psnr[s], most[s], share[s] * 100, most565[s] } }' \
         "$report/image.csv"
     echo
-    echo "| flash on Cortex-M0+ (gcc -Os, sections collected) | bytes |"
-    echo "|---|---|"
-    echo "| gloss: diffuse + specular, quadratic, RGB565, from mesh to pixels | $(bytes gloss) |"
-    echo "| everything | $(bytes everything) |"
-    echo "| static RAM | $(bytes 'static RAM') |"
+    echo "Bytes of flash from mesh to pixels (\`everything\`: all models, steps, formats, lights, depth), of static RAM, and of stack below a call of"
+    echo "\`lmb_draw_mesh\`; gcc -Os, sections collected:"
+    echo
+    echo "| core | flat | diffuse | gloss | everything | static RAM | stack, gloss |"
+    echo "|---|---|---|---|---|---|---|"
+    sizes m0plus Cortex-M0+
+    sizes m4 Cortex-M4
+    sizes rv32imc RV32IMC
+    sizes rv32ec RV32EC
+    sizes atmega1284p ATmega1284P
+    sizes lx106 "LX106 (ESP8266)"
     echo "<!-- figures: end -->"
 } >"$work/block"
 

@@ -1,55 +1,74 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Bytes of flash on Cortex-M0+: links a program that draws with the library, sections collected, and subtracts the same program
-# without it. usage: size.sh BUILD_FOLDER
+# Bytes of flash, RAM and stack that the library takes on a target, configuration by configuration: of images of size_image.sh,
+# sections collected, less the same program without the library.
+# usage: size.sh table TARGET PREFIX FOLDER       figures and largest functions
+#        size.sh csv TARGET PREFIX FOLDER         core,configuration,text,rodata,data,bss,stack
+#        size.sh parts TARGET PREFIX FOLDER       what leaving a part out of everything saves, and the largest of gloss
+# FOLDER holds the images: FOLDER/gloss-Os/size.elf
 set -u
-build=$1
-cc=arm-none-eabi-gcc
-flags="-mcpu=cortex-m0plus -mthumb -std=c99 -ffreestanding -ffunction-sections -fdata-sections -Ifirmware"
-budget=$(awk '$1 == "m0plus" && $2 == "gloss" && $3 == "flash" { print $4 }' hosttest/budgets.txt)
-command -v $cc >/dev/null 2>&1 || { echo "size: $cc is missing; run make deps"; exit 1; }
-mkdir -p "$build" || exit 1
+cd "$(dirname "$0")/.." || exit 2
+mode=$1 target=$2 prefix=$3 folder=$4
 
-# link NAME DEFINE...: build/NAME.elf
-link() {
-    out=$build/$1.elf
-    shift
-    $cc $flags -Os "$@" -nostartfiles -Wl,--gc-sections,-e,main,-Map="$out.map" hosttest/size_main.c firmware/*.c port/*.c -o "$out" \
-        -nostdlib -lgcc 2>"$build/link.log" || { cat "$build/link.log"; exit 1; }
+# sections IMAGE: its text, rodata, data and bss. AVR copies .rodata to RAM and reads .flash in place; others have no .flash.
+sections() {
+    "${prefix}size" -A "$1" | awk -v avr="$([ "$prefix" = avr- ] && echo 1)" '
+        { bytes[$1] = $2 }
+        END {
+            if (!(".text" in bytes)) exit 1
+            r = avr ? ".flash" : ".rodata"
+            print bytes[".text"], bytes[r] + 0, bytes[".data"] + (avr ? bytes[".rodata"] : 0), bytes[".bss"] + 0
+        }'
 }
-bytes() { arm-none-eabi-size "$1" | awk 'NR == 2 { print $1 + $2 }'; }
-static_ram() { arm-none-eabi-size "$1" | awk 'NR == 2 { print $2 + $3 }'; }
 
-link empty -DSIZE_EMPTY
-link gloss -DSIZE_GLOSS -DLMB_LIGHTS=1 -DLMB_WITH_ARC=0 -DLMB_WITH_CORNERS=0 -DLMB_WITH_PERSPECTIVE=0 -DLMB_WITH_DEPTH=0 -DLMB_WITH_LARGE=0 -DLMB_WITH_LOBES=0 -DLMB_WITH_RGB888=0
-link everything -DSIZE_EVERYTHING
-empty=$(bytes "$build/empty.elf")
-gloss=$(($(bytes "$build/gloss.elf") - empty))
-everything=$(($(bytes "$build/everything.elf") - empty))
-ram=$(($(static_ram "$build/gloss.elf") - $(static_ram "$build/empty.elf")))
+# beyond CONFIGURATION: the same, less those of the empty program.
+beyond() {
+    echo "$(sections "$folder/$1-Os/size.elf") $(sections "$folder/empty-Os/size.elf")" |
+        awk 'NF != 8 { exit 1 } { print $1 - $5, $2 - $6, $3 - $7, $4 - $8 }'
+}
 
-echo "Cortex-M0+, gcc -Os, sections collected, beyond an empty program:"
-echo "  gloss: diffuse + specular, quadratic, RGB565, mesh to pixels   $gloss bytes of flash"
-echo "  everything: all models, steps, formats, lights, depth          $everything bytes of flash"
-echo "  static RAM                                                     $ram bytes"
-echo "Leaving out of everything (gcc -Os -DLMB_WITH_...=0) saves, in bytes:"
-for part in ARC CORNERS PERSPECTIVE DEPTH LARGE LOBES RGB565 RGB888; do
-    link without -DSIZE_EVERYTHING "-DLMB_WITH_$part=0"
-    printf '  %-12s %5d\n' "$part" $((everything + empty - $(bytes "$build/without.elf")))
-done
-link without -DSIZE_EVERYTHING -DLMB_LIGHTS=1
-printf '  %-12s %5d\n' "LIGHTS=1" $((everything + empty - $(bytes "$build/without.elf")))
-echo "Largest functions and tables of gloss:"
-arm-none-eabi-nm --size-sort -r -S "$build/gloss.elf" | awk '
-    function hex(s,  i, v) { v = 0; for (i = 1; i <= length(s); i++) v = v * 16 + index("0123456789abcdef", substr(s, i, 1)) - 1; return v }
-    { printf "  %6d  %s\n", hex($2), $4 }' | head -n 24
+# largest IMAGE N: bytes and names of its largest functions and tables.
+largest() { "${prefix}nm" -t d --size-sort -r -S "$1" | awk -v n="$2" '$4 != "main" && n-- > 0 { print $2 + 0, $4 }'; }
 
-status=0
-if [ "$gloss" -le "$budget" ]; then
-    echo "pass flash m0plus gloss: $gloss bytes, budget $budget, headroom $((budget - gloss))"
-else
-    echo "FAIL flash m0plus gloss: $gloss bytes, budget $budget"
-    status=1
-fi
-if [ "$ram" = 0 ]; then echo "pass static RAM m0plus gloss: 0 bytes"; else echo "FAIL static RAM m0plus gloss: $ram bytes"; status=1; fi
-exit $status
+# paint CONFIGURATION: bytes of a paint, which lies in the memory of the caller and is none of the others.
+paint() {
+    "${prefix}nm" -t d -S "$folder/$1-Os/size_main.o" | awk '$4 == "size_paint" { print $2 + 0 }'
+}
+
+# row CONFIGURATION: its text, rodata, data, bss and stack.
+row() {
+    bytes=$(beyond "$1") || { echo "size: no figures from $folder/$1-Os/size.elf" >&2; exit 1; }
+    echo "$bytes $(hosttest/stack.sh figure "$prefix" "$folder/$1-Os" lmb_draw_mesh)"
+}
+flash() { beyond "$1" | awk '{ print $1 + $2 + $3 } END { exit NR != 1 }' || echo "size: no figures from $folder/$1-Os/size.elf" >&2; }
+
+case $mode in
+table)
+    echo "$target: $("${prefix}gcc" --version | head -n 1), -Os, sections collected, bytes beyond an empty program"
+    echo "                 text  rodata    data     bss   stack   paint   largest"
+    for c in flat diffuse gloss everything; do
+        figures=$(row $c) || exit 1
+        # shellcheck disable=SC2086
+        printf '  %-10s  %7d %7d %7d %7d %7s %7s   %s\n' $c $figures "$(paint $c)" \
+            "$(largest "$folder/$c-Os/size.elf" 4 | awk '{ printf "%s%s %s", (NR > 1 ? ", " : ""), $2, $1 }')"
+    done
+    ;;
+csv)
+    for c in flat diffuse gloss everything; do
+        figures=$(row $c) || exit 1
+        echo "$target,$c,$figures" | tr ' ' ','
+    done
+    ;;
+parts)
+    everything=$(flash everything)
+    echo "Leaving out of everything on $target (-DLMB_WITH_...=0) saves, of $everything bytes of flash:"
+    for image in "$folder"/without-*-Os; do
+        part=$(basename "$image" -Os)
+        bytes=$(flash "$part")
+        printf '  %-14s %5d\n' "$(echo "${part#without-}" | sed 's/LIGHTS/LIGHTS to 1/')" $((everything - bytes))
+    done
+    echo "Largest functions and tables of gloss on $target:"
+    largest "$folder/gloss-Os/size.elf" 24 | awk '{ printf "  %6d  %s\n", $1, $2 }'
+    ;;
+*) echo "size.sh: no mode $mode"; exit 2 ;;
+esac
