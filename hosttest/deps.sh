@@ -10,8 +10,8 @@ packages="$packages gcc-powerpc-linux-gnu libc6-dev-powerpc-cross qemu-user"
 # The boards: compilers and emulators.
 packages="$packages gcc-arm-none-eabi gcc-riscv64-unknown-elf gcc-xtensa-lx106 gcc-avr binutils-avr avr-libc"
 packages="$packages qemu-system-arm qemu-system-misc libsimavr-dev"
-# Charts, and counts that repeat.
-packages="$packages gnuplot-nox valgrind"
+# A libm for what others do with floats.
+packages="$packages libnewlib-arm-none-eabi"
 
 missing=
 for p in $packages; do

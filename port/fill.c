@@ -240,9 +240,10 @@ void lmb_fill_span(const lmb_surface *surface, const lmb_paint *paint, const lmb
 /* What the rows of a triangle are filled with. */
 typedef struct filling {
     bool diffuse, specular; /* neither: one colour */
-    enum ramp_use ramp; /* unless uneven no row is cut by the window, and the highlight's argument lies on its ramp, exponent 0 */
-    bool straight;      /* N.L is linear */
-    bool saturates;     /* some sum of diffuse and highlight may run over */
+    enum ramp_use ramp;     /* unless uneven no row is cut by the window, and the highlight's argument lies on its ramp */
+    bool scaled;            /* the highlight's exponent is not 0 */
+    bool straight;          /* N.L is linear */
+    bool saturates;         /* some sum of diffuse and highlight may run over */
 } filling;
 
 /* The term of a plane, straight: without a curve. */
@@ -261,7 +262,7 @@ static ALWAYS_INLINE void fill_row(const lmb_paint *paint, const lmb_triangle *t
         lit_run(paint, pixel, n, term_of(diffuse, columns, how.straight), lmb_plane_term(specular, columns), shift, how.ramp,
                 how.saturates);
     } else if (how.diffuse) {
-        plain_run(paint->colour, pixel, n, term_of(diffuse, columns, how.straight), how.ramp);
+        plain_run(paint->colour, pixel, n, term_of(diffuse, columns, how.straight), how.ramp, how.straight);
     } else {
         solid_run(pixel, n, STORE_ORDER(paint->colour[0]));
     }
@@ -272,7 +273,7 @@ static ALWAYS_INLINE uint32_t fill_rows(const lmb_surface *surface, const lmb_pa
 {
     uint8_t *row = row_of(surface, t->y) - 2 * (ptrdiff_t)surface->window.left;
     const size_t pitch = surface->pitch;
-    const unsigned shift = how.specular && how.ramp == RAMP_UNEVEN ? (unsigned)(GLEAM_SHIFT - t->exponent[0]) : GLEAM_SHIFT;
+    const unsigned shift = how.scaled ? (unsigned)(GLEAM_SHIFT - t->exponent[0]) : GLEAM_SHIFT;
     uint32_t pixels = 0;
     int32_t rows = lmb_sub(lmb_min(t->y_switch, t->y_end), t->y), rest = lmb_sub(lmb_sub(t->y_end, t->y), rows);
     for (;;) {
@@ -313,55 +314,61 @@ static ALWAYS_INLINE uint32_t fill_rows(const lmb_surface *surface, const lmb_pa
 
 static NOINLINE uint32_t fill_solid(const lmb_surface *surface, const lmb_paint *paint, lmb_triangle *t)
 {
-    const filling how = {false, false, RAMP_EVEN, true, false};
+    const filling how = {false, false, RAMP_EVEN, false, true, false};
     return fill_rows(surface, paint, t, how);
 }
 
 static NOINLINE uint32_t fill_plain(const lmb_surface *surface, const lmb_paint *paint, lmb_triangle *t)
 {
-    const filling how = {true, false, RAMP_EVEN, false, false};
+    const filling how = {true, false, RAMP_EVEN, false, false, false};
     return fill_rows(surface, paint, t, how);
 }
 
 static NOINLINE uint32_t fill_plain_straight(const lmb_surface *surface, const lmb_paint *paint, lmb_triangle *t)
 {
-    const filling how = {true, false, RAMP_EVEN, true, false};
+    const filling how = {true, false, RAMP_EVEN, false, true, false};
     return fill_rows(surface, paint, t, how);
 }
 
 static NOINLINE uint32_t fill_plain_low(const lmb_surface *surface, const lmb_paint *paint, lmb_triangle *t)
 {
-    const filling how = {true, false, RAMP_LOW, false, false};
+    const filling how = {true, false, RAMP_LOW, false, false, false};
     return fill_rows(surface, paint, t, how);
 }
 
 static NOINLINE uint32_t fill_plain_uneven(const lmb_surface *surface, const lmb_paint *paint, lmb_triangle *t)
 {
-    const filling how = {true, false, RAMP_UNEVEN, false, false};
+    const filling how = {true, false, RAMP_UNEVEN, false, false, false};
     return fill_rows(surface, paint, t, how);
 }
 
 static NOINLINE uint32_t fill_lit(const lmb_surface *surface, const lmb_paint *paint, lmb_triangle *t)
 {
-    const filling how = {true, true, RAMP_EVEN, false, false};
+    const filling how = {true, true, RAMP_EVEN, false, false, false};
     return fill_rows(surface, paint, t, how);
 }
 
 static NOINLINE uint32_t fill_lit_straight(const lmb_surface *surface, const lmb_paint *paint, lmb_triangle *t)
 {
-    const filling how = {true, true, RAMP_EVEN, true, false};
+    const filling how = {true, true, RAMP_EVEN, false, true, false};
     return fill_rows(surface, paint, t, how);
 }
 
 static NOINLINE uint32_t fill_lit_bright(const lmb_surface *surface, const lmb_paint *paint, lmb_triangle *t)
 {
-    const filling how = {true, true, RAMP_EVEN, false, true};
+    const filling how = {true, true, RAMP_EVEN, false, false, true};
+    return fill_rows(surface, paint, t, how);
+}
+
+static NOINLINE uint32_t fill_lit_scaled(const lmb_surface *surface, const lmb_paint *paint, lmb_triangle *t)
+{
+    const filling how = {true, true, RAMP_LOW, true, false, true};
     return fill_rows(surface, paint, t, how);
 }
 
 static NOINLINE uint32_t fill_lit_uneven(const lmb_surface *surface, const lmb_paint *paint, lmb_triangle *t)
 {
-    const filling how = {true, true, RAMP_UNEVEN, false, true};
+    const filling how = {true, true, RAMP_UNEVEN, true, false, true};
     return fill_rows(surface, paint, t, how);
 }
 
@@ -375,8 +382,9 @@ static uint32_t fill_simple(const lmb_surface *surface, const lmb_paint *paint, 
     if (!t->diffuse_on && !t->specular_on && t->inside) return fill_solid(surface, paint, t);
     if (!t->diffuse_on) *diffuse = none;
     if (t->specular_on) {
-        const int32_t gleam = t->gleam >> (GLEAM_SHIFT - 2);
-        if (!inside || ramp_low < 1 || t->exponent[0] || gleam >= LMB_GLEAM_TOP - 4) return fill_lit_uneven(surface, paint, t);
+        const int32_t gleam = t->gleam >> (GLEAM_SHIFT - 2 - t->exponent[0]);
+        if (!inside || gleam >= LMB_GLEAM_TOP - 4) return fill_lit_uneven(surface, paint, t);
+        if (ramp_low < 1 || t->exponent[0]) return fill_lit_scaled(surface, paint, t);
         if (carries_565(paint->colour[ramp + 1], paint->gleam[gleam + 4])) return fill_lit_bright(surface, paint, t);
         return diffuse->dxx | diffuse->dxy | diffuse->dyy ? fill_lit(surface, paint, t) : fill_lit_straight(surface, paint, t);
     }
@@ -391,7 +399,7 @@ static uint32_t fill_simple(const lmb_surface *surface, const lmb_paint *paint, 
 static uint32_t fill_simple(const lmb_surface *surface, const lmb_paint *paint, lmb_triangle *t)
 {
     static const lmb_plane none = {0, 0, 0, 0, 0, 0};
-    const filling how = {true, true, RAMP_UNEVEN, false, true};
+    const filling how = {true, true, RAMP_UNEVEN, true, false, true};
     if (!t->diffuse_on) t->u.light[0].diffuse = none;
     if (!t->specular_on) {
         t->u.light[0].specular = none;

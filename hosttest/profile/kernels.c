@@ -155,6 +155,15 @@ static void corners_set(enum turn turn)
     corner_set(2, FAR, MARGIN, n[2]);
 }
 
+/* Cuts what has been begun at a column by an edge of its own, so that it is drawn as what no window cuts. */
+static void upright(int32_t x)
+{
+    lmb_edge *right = &work->triangle.edge[1];
+    right->x = x;
+    right->step = right->part = right->gap = 0;
+    work->triangle.inside = true;
+}
+
 /* Begins the kernel's triangle in a window of so many columns and rows at its top left, where it fills all of it. Every row of
  * the surface lies on the first: that is memory enough. */
 static bool begin(const scene *s, const kernel *k, int columns, int rows)
@@ -165,7 +174,9 @@ static bool begin(const scene *s, const kernel *k, int columns, int rows)
     room.surface.window.right = (int16_t)(MARGIN + columns);
     room.surface.pitch = 0;
     corners_set(k->turn);
-    return triangle_begin(&room.corner[0], &room.corner[1], &room.corner[2]);
+    if (!triangle_begin(&room.corner[0], &room.corner[1], &room.corner[2])) return false;
+    upright(MARGIN + columns);
+    return true;
 }
 
 static void filled(const scene *s, const kernel *k, int columns, int rows)
