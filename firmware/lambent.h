@@ -82,7 +82,7 @@ LMB_STATIC_ASSERT(LMB_LIGHTS >= 1 && LMB_LIGHTS <= 4);
 #define LMB_WITH_DEPTH 1 /* depth of corners and spans; without, corners have depth 0 */
 #endif
 #ifndef LMB_WITH_LOBES
-#define LMB_WITH_LOBES 1 /* W_m of paper 000, and lobes of fewer multiplications; without, every tolerance counts as 0 */
+#define LMB_WITH_LOBES 1 /* lobes reckoned for each pixel, W_m of paper 000 among them; without, ramps hold exact powers */
 #endif
 #ifndef LMB_WITH_LARGE
 #define LMB_WITH_LARGE 1 /* full accuracy for triangles over 512 pixels, 16 times longer than high, or bent by over 80 degrees */

@@ -11,6 +11,7 @@
  */
 #include "shade.h"
 
+#include "power.h"
 #include "step.h"
 #include "vec.h"
 
@@ -18,20 +19,25 @@
 
 /* P - 1 = 1 / sqrt(1 - u/2) - 1, Q4.28, by Taylor's series u/4 + 3/32 u^2 + 5/128 u^3 + 35/2048 u^4: two terms for u up to 1/16 (20
  * degrees), four up to 1/4 (41 degrees), short of the truth by at most 6.2e-4 and 1.3e-4 of it; above by reciprocal square root. u
- * beyond LMB_ARC_U_MAX counts as that. */
+ * beyond LMB_ARC_U_MAX counts as that. Without the exact planes, which alone take more, the series serves up to 3/4, where it is
+ * LMB_BULGE_MAX. */
 static int32_t bulge_factor_q28(int32_t u_q28)
 {
-    const int32_t u_q15 = lmb_shr(u_q28, 13); /* up to 2^13, where it serves */
-    if (u_q28 <= ONE_Q28 / 4) {
-        int32_t square_q30 = lmb_mul(u_q15, u_q15), factor = lmb_add(lmb_shr(u_q28, 2), lmb_shr(lmb_mul(square_q30, 3), 7));
-        if (u_q28 > ONE_Q28 / 16) {
-            int32_t cube_q30 = lmb_mul(lmb_shr(square_q30, 15), u_q15);
-            factor = lmb_add(factor, lmb_shr(lmb_mul(lmb_shr(cube_q30, 14), lmb_add(81920, lmb_mul(u_q15, 35) >> 5)), 9));
-        }
-        return factor;
+    const int32_t most = LMB_WITH_LARGE ? ONE_Q28 / 4 : ONE_Q28 / 4 * 3;
+    int32_t u_q15, square_q30, factor;
+    if (u_q28 > most && LMB_WITH_LARGE) {
+        u_q28 = lmb_min(u_q28, LMB_ARC_U_MAX);
+        return lmb_shr((int32_t)(lmb_rsqrt_q30(((uint32_t)1 << 30) - ((uint32_t)u_q28 << 1)) - ((uint32_t)1 << 30)), 2);
     }
-    u_q28 = lmb_min(u_q28, LMB_ARC_U_MAX);
-    return lmb_shr((int32_t)(lmb_rsqrt_q30(((uint32_t)1 << 30) - ((uint32_t)u_q28 << 1)) - ((uint32_t)1 << 30)), 2);
+    u_q28 = lmb_min(u_q28, most);
+    u_q15 = lmb_shr(u_q28, 13);
+    square_q30 = lmb_mul(u_q15, u_q15);
+    factor = lmb_add(lmb_shr(u_q28, 2), lmb_shr(lmb_mul(square_q30, 3), 7));
+    if (u_q28 > ONE_Q28 / 16) {
+        int32_t cube_q30 = lmb_mul(lmb_shr(square_q30, 15), u_q15);
+        factor = lmb_add(factor, lmb_shr(lmb_mul(lmb_shr(cube_q30, 15), lmb_add(81920, lmb_mul(u_q15, 35) >> 5)), 8));
+    }
+    return LMB_WITH_LARGE ? factor : lmb_min(factor, LMB_BULGE_MAX);
 }
 
 /* a Q4.28 value times another in [-1, 1] of which 15 bits matter. */
@@ -176,7 +182,6 @@ static void bends_set(bend *b, const lmb_vertex *const corner[3])
     b->most = 0;
     for (i = 0; i < 3; i++) {
         int32_t factor = bulge_factor_q28(b->factor[i]);
-        if (!LMB_WITH_LARGE) factor = lmb_min(factor, LMB_BULGE_MAX);
         b->most = lmb_max(b->most, factor);
         b->factor[i] = factor;
     }
@@ -199,7 +204,8 @@ static void shade_planes(lmb_triangle *t, lmb_lattice *lattice, const lmb_vertex
 /* What the lobe returns at v, Q4.28. */
 static int32_t lobe_q28(const lmb_lobe *lobe, int32_t v_q28)
 {
-    return lmb_shl(lmb_lobe_eval(lobe, lmb_shl(lmb_min(v_q28, 2 * ONE_Q28 - 1), 2)), 13);
+    const int32_t v_q30 = lmb_shl(lmb_min(v_q28, 2 * ONE_Q28 - 1), 2);
+    return lmb_shl(LMB_WITH_LOBES ? lmb_lobe_eval(lobe, v_q30) : lmb_power_q15(lobe->shininess, v_q30), 13);
 }
 
 /* Begins a linear plane unless it is zero; returns bit i if it is not. */

@@ -29,6 +29,7 @@ typedef struct lmb_line {
 /* Material, lights and choices, prepared once. Fields may change without notice. */
 typedef struct lmb_look {
     lmb_lobe lobe;
+    uint16_t tolerance; /* see lmb_look_tolerance */
     uint8_t model, step, lights;
     uint8_t specular_on;     /* bit i: light i can make a highlight on this material */
     uint16_t ambient_q15[3]; /* r, g, b in UQ1.15 */

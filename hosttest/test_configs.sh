@@ -69,6 +69,13 @@ else
     echo "FAIL configurations: the leanest: ${why:-another frame}"
     status=1
 fi
+# shellcheck disable=SC2086
+if why=$(draw leanest 5 $all -DLMB_WITH_RAMPS=0) && cmp -s "$work/leanest" "$work/full565"; then
+    echo "pass configurations: the leanest without ramps draws the same frame"
+else
+    echo "FAIL configurations: the leanest without ramps: ${why:-another frame}"
+    status=1
+fi
 printf '#define LMB_LIGHTS 2\n#define LMB_WITH_ARC 0\n' >"$work/my_config.h"
 if why=$(draw config 5 "-DLMB_CONFIG=\"$work/my_config.h\"") && cmp -s "$work/config" "$work/full565"; then
     echo "pass configurations: LMB_CONFIG names a header"

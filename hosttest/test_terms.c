@@ -240,10 +240,10 @@ static geometry geometry_of(const lmb_vertex v[3])
     return g;
 }
 
-/* What lambent.h says of triangles: over 512 pixels; 64 times longer than high; bent by more than 80 degrees or a bulge of 1/4.
+/* What lambent.h says of triangles: over 512 pixels; 16 times longer than high; bent by more than 80 degrees or a bulge of 1/4.
  * And what plane.c says: 4096 times longer than high they have no curve. */
 static bool is_large(const geometry *g) { return g->bits > 13; }
-static bool is_long(const geometry *g) { return g->length > 6; }
+static bool is_long(const geometry *g) { return g->length > 4; }
 static bool is_thin(const geometry *g) { return g->length > 12; }
 
 /* A function over the triangle and what its error depends on. */

@@ -61,7 +61,9 @@ static ALWAYS_INLINE int32_t argument_of(const lmb_term *specular, bool arc)
 /* The lobe at a highlight's argument, UQ1.15. */
 static ALWAYS_INLINE uint32_t lobe_of(const lmb_look *look, unsigned i, int32_t argument, unsigned shift)
 {
-    return argument > 0 ? (uint32_t)lmb_lobe_at(&look->lobe, lmb_add(argument >> shift, look->light[i].dark_q16)) : 0;
+    if (argument <= 0) return 0;
+    if (!LMB_WITH_LOBES) return (uint32_t)lmb_look_ramp_at(look, i, (uint32_t)argument << (LOBE_ENTRY_SHIFT - shift));
+    return (uint32_t)lmb_lobe_at(&look->lobe, lmb_add(argument >> shift, look->light[i].dark_q16));
 }
 
 /* One light on RGB888: three sums. */
