@@ -4,7 +4,7 @@
 # usage: figures.sh REPORT_FOLDER [--check]    (--check: compare only, exit status 1 if the README differs)
 set -u
 report=$1 mode=${2:-write}
-for f in "$report/lobe.csv" "$report/arc.csv" "$report/span.csv" "$report/image.csv" "$report/size.csv"; do
+for f in "$report/lobe.csv" "$report/arc.csv" "$report/span.csv" "$report/image.csv" "$report/size.csv" "$report/cycles.csv"; do
     [ -s "$f" ] || { echo "figures: $f is missing; run make figures"; exit 1; }
 done
 work=$(mktemp -d)
@@ -21,6 +21,19 @@ sizes() {
             printf "| %s | %d | %d | %d | %d | %d | %s |\n", name, flash["flat"], flash["diffuse"], flash["gloss"], flash["everything"], \
                 ram["everything"], stack["gloss"]
         }' "$report/size.csv" || { echo "figures: $1 is missing in $report/size.csv" >&2; exit 1; }
+}
+
+# frames CORE NAME MODEL: a row of the table of frames, instructions (cycles) a pixel.
+frames() {
+    awk -F, -v core="$1" -v name="$2" -v model="$3" '
+        $1 == core && $3 == model { cell[$2] = $8 == "" ? sprintf("%.1f", $7) : sprintf("%.1f (%.1f)", $7, $8) }
+        END {
+            if (!("icosphere-320" in cell)) exit 1
+            split("icosphere-320 icosphere-1280 torus teapot", scene, " ")
+            printf "| %s |", name
+            for (i = 1; i <= 4; i++) printf " %s |", cell[scene[i]]
+            print ""
+        }' "$report/cycles.csv" || { echo "figures: $1 $3 is missing in $report/cycles.csv" >&2; exit 1; }
 }
 
 {
@@ -55,6 +68,26 @@ sizes() {
     sizes rv32ec RV32EC
     sizes atmega1284p ATmega1284P
     sizes lx106 "LX106 (ESP8266)"
+    echo
+    echo "Instructions per pixel of whole frames, everything from vertices to pixels counted, and where a manual gives them cycles (M4: nominal);"
+    echo "gloss, RGB565, 240 × 240, gcc -O2; torus and teapot with a depth buffer:"
+    echo
+    echo "| core | icosphere-320 | icosphere-1280 | torus | teapot |"
+    echo "|---|---|---|---|---|"
+    frames m0plus Cortex-M0+ gloss
+    frames m4 Cortex-M4 gloss
+    frames m33 Cortex-M33 gloss
+    frames rv32imc RV32IMC gloss
+    echo
+    echo "The same icospheres by other means on Cortex-M0+ ([docs/COMPARISON.md](docs/COMPARISON.md) defines each):"
+    echo
+    echo "| method | icosphere-320 | icosphere-1280 | | |"
+    echo "|---|---|---|---|---|"
+    frames m0plus "ours, per pixel" gloss
+    frames m0plus "integer Gouraud, highlight at corners" integer-gouraud
+    frames m0plus "integer Phong, root and division" integer-phong-sqrt
+    frames m0plus "the same as textbooks have it" integer-phong-textbook
+    frames m0plus "float Phong, sqrtf and powf" float-phong
     echo "<!-- figures: end -->"
 } >"$work/block"
 
