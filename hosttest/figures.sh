@@ -23,15 +23,16 @@ sizes() {
         }' "$report/size.csv" || { echo "figures: $1 is missing in $report/size.csv" >&2; exit 1; }
 }
 
-# frames CORE NAME MODEL: a row of the table of frames, instructions (cycles) a pixel.
+spheres="icosphere-320 icosphere-1280"
+# frames CORE NAME MODEL SCENES: a row of the table of frames, instructions (cycles) a pixel.
 frames() {
-    awk -F, -v core="$1" -v name="$2" -v model="$3" '
+    awk -F, -v core="$1" -v name="$2" -v model="$3" -v scenes="$4" '
         $1 == core && $3 == model { cell[$2] = $8 == "" ? sprintf("%.1f", $7) : sprintf("%.1f (%.1f)", $7, $8) }
         END {
             if (!("icosphere-320" in cell)) exit 1
-            split("icosphere-320 icosphere-1280 torus teapot", scene, " ")
+            n = split(scenes, scene, " ")
             printf "| %s |", name
-            for (i = 1; i <= 4; i++) printf " %s |", cell[scene[i]]
+            for (i = 1; i <= n; i++) printf " %s |", cell[scene[i]]
             print ""
         }' "$report/cycles.csv" || { echo "figures: $1 $3 is missing in $report/cycles.csv" >&2; exit 1; }
 }
@@ -74,20 +75,20 @@ frames() {
     echo
     echo "| core | icosphere-320 | icosphere-1280 | torus | teapot |"
     echo "|---|---|---|---|---|"
-    frames m0plus Cortex-M0+ gloss
-    frames m4 Cortex-M4 gloss
-    frames m33 Cortex-M33 gloss
-    frames rv32imc RV32IMC gloss
+    frames m0plus Cortex-M0+ gloss "$spheres torus teapot"
+    frames m4 Cortex-M4 gloss "$spheres torus teapot"
+    frames m33 Cortex-M33 gloss "$spheres torus teapot"
+    frames rv32imc RV32IMC gloss "$spheres torus teapot"
     echo
     echo "The same icospheres by other means on Cortex-M0+ ([docs/COMPARISON.md](docs/COMPARISON.md) defines each):"
     echo
-    echo "| method | icosphere-320 | icosphere-1280 | | |"
-    echo "|---|---|---|---|---|"
-    frames m0plus "ours, per pixel" gloss
-    frames m0plus "integer Gouraud, highlight at corners" integer-gouraud
-    frames m0plus "integer Phong, root and division" integer-phong-sqrt
-    frames m0plus "the same as textbooks have it" integer-phong-textbook
-    frames m0plus "float Phong, sqrtf and powf" float-phong
+    echo "| method | icosphere-320 | icosphere-1280 |"
+    echo "|---|---|---|"
+    frames m0plus "ours, per pixel" gloss "$spheres"
+    frames m0plus "integer Gouraud, highlight at corners" integer-gouraud "$spheres"
+    frames m0plus "integer Phong, root and division" integer-phong-sqrt "$spheres"
+    frames m0plus "the same as textbooks have it" integer-phong-textbook "$spheres"
+    frames m0plus "float Phong, sqrtf and powf" float-phong "$spheres"
     echo "<!-- figures: end -->"
 } >"$work/block"
 
