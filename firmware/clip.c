@@ -5,6 +5,7 @@
  * Neighbours cut their common edge at the same point, bit for bit: a cut is always reckoned from the inner end to the outer.
  */
 #include "clip.h"
+#include "screen.h"
 
 LMB_STATIC_ASSERT((LMB_GUARD + 16384) * 16L < LMB_SCREEN_MAX && LMB_GUARD_NEAR < LMB_GUARD);
 
@@ -38,6 +39,7 @@ static int32_t between(int32_t from, int32_t to, int32_t t_q30)
 
 static lmb_corner cut(const lmb_corner *in, const lmb_corner *out, int32_t d_in, int32_t d_out)
 {
+    const lmb_vec *a = &in->screen.normal, *b = &out->screen.normal;
     unsigned shift;
     uint32_t reciprocal = lmb_reciprocal((uint32_t)lmb_sub(d_in, d_out), &shift);
     int32_t t_q30 = lmb_min((int32_t)1 << 30, lmb_mul_shr_sat(d_in, (int32_t)(reciprocal >> 1), shift));
@@ -45,9 +47,10 @@ static lmb_corner cut(const lmb_corner *in, const lmb_corner *out, int32_t d_in,
     c.p.x = between(in->p.x, out->p.x, t_q30);
     c.p.y = between(in->p.y, out->p.y, t_q30);
     c.p.z = between(in->p.z, out->p.z, t_q30);
-    c.normal = lmb_normalise(between(lmb_mul(in->normal.x, 1024), lmb_mul(out->normal.x, 1024), t_q30),
-                             between(lmb_mul(in->normal.y, 1024), lmb_mul(out->normal.y, 1024), t_q30),
-                             between(lmb_mul(in->normal.z, 1024), lmb_mul(out->normal.z, 1024), t_q30));
+    c.screen.x = LMB_NOT_ON_SCREEN;
+    c.screen.normal = lmb_normalise(between(lmb_mul(a->x, 1024), lmb_mul(b->x, 1024), t_q30),
+                                    between(lmb_mul(a->y, 1024), lmb_mul(b->y, 1024), t_q30),
+                                    between(lmb_mul(a->z, 1024), lmb_mul(b->z, 1024), t_q30));
     return c;
 }
 
@@ -74,24 +77,23 @@ static unsigned clip_plane(const clipper *c, lmb_corner polygon[LMB_CLIP_MAX + 1
     return kept < 3 ? 0 : kept;
 }
 
-unsigned lmb_clip(const lmb_camera *camera, const lmb_corner triangle[3], lmb_vertex out[LMB_CLIP_MAX])
+unsigned lmb_clip(const lmb_camera *camera, lmb_corner polygon[LMB_CLIP_MAX + 1], lmb_vertex out[LMB_CLIP_MAX])
 {
-    lmb_corner polygon[LMB_CLIP_MAX + 1];
     clipper c;
     unsigned corners = 3, i, kept = 0, shift, plane;
     uint32_t reciprocal = lmb_reciprocal((uint32_t)camera->focal_q16, &shift);
     /* LMB_GUARD / focal in Q16.16: LMB_GUARD * 2^32 * reciprocal / 2^(31 + shift) */
     c.camera = camera;
     c.reach_q16 = lmb_mul_shr_sat(LMB_GUARD, (int32_t)(reciprocal >> 1), shift < 2 ? 0 : shift - 2);
-    for (i = 0; i < 3; i++) polygon[i] = triangle[i];
     for (plane = PLANE_NEAR; plane < PLANES && corners > 0; plane++) {
         c.plane = (enum plane)plane;
         corners = clip_plane(&c, polygon, corners);
     }
     for (i = 0; i < corners; i++) {
-        polygon[i].p.z = lmb_min(polygon[i].p.z, lmb_sub(0, camera->near_q16)); /* a cut may round to just before the plane */
-        out[kept].normal = polygon[i].normal;
-        if (lmb_project(camera, polygon[i].p, &out[kept])) kept++;
+        lmb_point *p = &polygon[i].p;
+        p->z = lmb_min(p->z, lmb_sub(0, camera->near_q16)); /* a cut may round to just before the plane */
+        out[kept] = polygon[i].screen;
+        if (out[kept].x != LMB_NOT_ON_SCREEN || lmb_project(camera, *p, &out[kept])) kept++;
     }
     return kept < 3 ? 0 : kept;
 }

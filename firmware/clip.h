@@ -11,14 +11,15 @@
 #define LMB_GUARD 16000
 #define LMB_GUARD_NEAR 15000
 
-/* A corner in space. */
+/* A corner in space, and on the screen, if it has been projected; x there is LMB_NOT_ON_SCREEN otherwise. */
 typedef struct lmb_corner {
     lmb_point p;
-    lmb_vec normal;
+    lmb_vertex screen;
 } lmb_corner;
 
-/* Clips polygon[0..2], a triangle in space, and projects what is left into out. Normals are interpolated
- * linearly and normalised at each cut. Returns its corners, 0 or 3 to LMB_CLIP_MAX. */
-unsigned lmb_clip(const lmb_camera *camera, const lmb_corner triangle[3], lmb_vertex out[LMB_CLIP_MAX]);
+/* Clips polygon[0..2], a triangle in space, and projects what is left into out. Corners that are kept stay where they have been
+ * projected, as neighbours that are not clipped have them. Normals are interpolated linearly and normalised at each cut.
+ * Uses up polygon; returns the corners of out, 0 or 3 to LMB_CLIP_MAX. */
+unsigned lmb_clip(const lmb_camera *camera, lmb_corner polygon[LMB_CLIP_MAX + 1], lmb_vertex out[LMB_CLIP_MAX]);
 
 #endif

@@ -81,6 +81,8 @@ LMB_STATIC_ASSERT(LMB_LIGHTS >= 1 && LMB_LIGHTS <= 4);
 #ifndef LMB_WITH_DEPTH
 #define LMB_WITH_DEPTH 1 /* depth of corners and spans; without, corners have depth 0 */
 #endif
+/* Without both, near and far mean nothing, and a mesh is drawn if 2^15 of its units are r pixels, at most 510, and its origin is
+ * within 1020 - 2 r pixels of the frame's corner, across and down. */
 #ifndef LMB_WITH_LOBES
 #define LMB_WITH_LOBES 1 /* lobes reckoned for each pixel, W_m of paper 000 among them; without, ramps hold exact powers */
 #endif
@@ -409,8 +411,10 @@ int lmb_camera_perspective(lmb_camera *camera, int width, int height, int32_t fo
 lmb_point lmb_mesh_place(const lmb_mesh *mesh, const lmb_pose *pose, uint32_t i);
 
 /* Projects a point to the screen and its depth. False, and nothing written, if it lies nearer than the near plane or beyond
- * LMB_SCREEN_MAX. Error at most LMB_PROJECT_MAX_ERROR pixels (hosttest/test_mesh.c). */
+ * LMB_SCREEN_MAX. Error at most LMB_PROJECT_MAX_ERROR pixels; of the depth, where far is at least twice as far as near,
+ * LMB_PROJECT_MAX_DEPTH_ERROR (hosttest/test_mesh.c, test_vertex.c). */
 #define LMB_PROJECT_MAX_ERROR 0.05
+#define LMB_PROJECT_MAX_DEPTH_ERROR (2.5 / 65536)
 bool lmb_project(const lmb_camera *camera, lmb_point p, lmb_vertex *vertex);
 
 /* Starts a walk. Pointers must stay valid to its end.
@@ -423,7 +427,8 @@ void lmb_mesh_begin(lmb_walk *walk, const lmb_mesh *mesh, const lmb_pose *pose, 
 /* Begins the next triangle that may be seen; false at the end. */
 bool lmb_mesh_next(lmb_walk *walk, lmb_triangle *triangle);
 
-/* Projects all vertices of a mesh into vertices[0 .. mesh->vertices - 1], once a frame for any number of strips. */
+/* Projects all vertices of a mesh into vertices[0 .. mesh->vertices - 1], once a frame for any number of strips. Errors are those
+ * of lmb_mesh_place and lmb_project together; of orthographic meshes with half sides of up to 375 pixels those of lmb_project. */
 void lmb_mesh_project(const lmb_mesh *mesh, const lmb_pose *pose, const lmb_camera *camera, lmb_vertex *vertices);
 
 /* Painter's order, farthest triangle first, for meshes of at most 65536 triangles drawn without a depth buffer.

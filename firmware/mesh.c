@@ -1,66 +1,54 @@
 /* SPDX-License-Identifier: MIT */
-/* Meshes into triangles: pose, projection, the walk over what may be seen, and painter's order. */
+/* Meshes into triangles: the walk over what may be seen, and painter's order. */
 #include "flash.h"
 
 #include "clip.h"
+#include "screen.h"
 #include "triangle.h"
 #include "vec.h"
 
-#define NOT_ON_SCREEN INT32_MIN /* x of a corner that must be clipped */
+static bool is_flat(const lmb_walk *walk) { return LMB_WITH_CORNERS && walk->look->model == LMB_MODEL_FLAT; }
 
-lmb_point lmb_mesh_place(const lmb_mesh *mesh, const lmb_pose *pose, uint32_t i)
+#if LMB_SHORT_CUTS
+/* Whether triangles are simply read, one after the other: with corners projected before, all of them on the screen. */
+static bool is_plain(const lmb_walk *walk)
 {
-    int32_t turned[3];
-    lmb_vec room;
-    /* Q.14 in mesh units to Q16.16 in units: times 2^(scale + 2), and scale <= -2 */
-    unsigned down = (unsigned)-(mesh->scale + 2);
-    int32_t half = lmb_shr(lmb_shl(1, down), 1);
-    lmb_point p;
-    lmb_vec_rotate_wide(&pose->rotation, lmb_vec_read(&mesh->positions[i], &room), turned);
-    p.x = lmb_add(pose->x, lmb_shr(lmb_add(turned[0], half), down));
-    p.y = lmb_add(pose->y, lmb_shr(lmb_add(turned[1], half), down));
-    p.z = lmb_add(pose->z, lmb_shr(lmb_add(turned[2], half), down));
-    return p;
+    const lmb_vertex *v = walk->vertices;
+    uint32_t left = walk->screen.mesh->vertices;
+    if (!v || walk->order || is_flat(walk)) return false;
+    for (; left > 0 && v->x != LMB_NOT_ON_SCREEN; left--) v++;
+    return left == 0;
 }
-
-static bool beyond_guard(int32_t q4) { return q4 > LMB_GUARD_NEAR * 16L || q4 < -LMB_GUARD_NEAR * 16L; }
-
-static void project(const lmb_mesh *mesh, const lmb_pose *pose, const lmb_camera *camera, uint32_t i, lmb_vertex *vertex)
-{
-    lmb_vec room;
-    lmb_vec_copy(&vertex->normal, lmb_vec_read(&mesh->normals[i], &room));
-    if (!lmb_project(camera, lmb_mesh_place(mesh, pose, i), vertex) ||
-        (LMB_WITH_PERSPECTIVE && (beyond_guard(lmb_sub(vertex->x, camera->x)) || beyond_guard(lmb_sub(vertex->y, camera->y))))) {
-        vertex->x = NOT_ON_SCREEN;
-    }
-}
-
-void lmb_mesh_project(const lmb_mesh *mesh, const lmb_pose *pose, const lmb_camera *camera, lmb_vertex *vertices)
-{
-    uint32_t i;
-    for (i = 0; i < mesh->vertices; i++) project(mesh, pose, camera, i, &vertices[i]);
-}
+#endif
 
 void lmb_mesh_begin(lmb_walk *walk, const lmb_mesh *mesh, const lmb_pose *pose, const lmb_camera *camera, const lmb_look *look,
                     const lmb_window *window, const lmb_vertex *vertices, const uint16_t *order)
 {
-    walk->mesh = mesh;
-    walk->pose = pose;
-    walk->camera = camera;
-    walk->look = look;
+    walk->index = mesh->indices;
+    walk->end = mesh->indices + (size_t)3 * mesh->triangles;
     walk->vertices = vertices;
-    walk->order = order;
+    walk->look = look;
     walk->window = window;
-    walk->next = 0;
-    walk->corners = walk->fan = 0;
+    walk->order = order;
+    if (LMB_WITH_PERSPECTIVE) walk->corners = walk->fan = 0;
     lmb_rays_prepare(&walk->rays, look, &pose->rotation);
+    walk->screen.mesh = mesh;
+    walk->screen.pose = pose;
+    walk->screen.camera = camera;
+    if (!vertices) lmb_screen_begin(&walk->screen);
+#if LMB_SHORT_CUTS
+    walk->plain = walk->end;
+    if (is_plain(walk)) {
+        walk->plain = walk->index;
+        walk->index = walk->end;
+    }
+#endif
 }
 
 /* Bits that edges keep for the cross product: two products of 14 bits each, less than 2^29. */
 #define FACE_BITS 14
 
-/* The normal of a face, from its corners: the cross product of two edges, normalised. Of a face without area: some unit vector.
- * */
+/* The normal of a face, from its corners: the cross product of two edges, normalised. Without area: some unit vector. */
 static lmb_vec face_normal(const lmb_mesh *mesh, const LMB_FLASH uint16_t *index)
 {
     const lmb_vec a = mesh->positions[index[0]], b = mesh->positions[index[1]], c = mesh->positions[index[2]];
@@ -79,67 +67,79 @@ static lmb_vec face_normal(const lmb_mesh *mesh, const LMB_FLASH uint16_t *index
                          lmb_sub(lmb_mul(e[0], e[4]), lmb_mul(e[1], e[3])));
 }
 
-/* Cuts a triangle that is not wholly on the screen; the walk hands the polygon out as a fan. */
-static void clip(lmb_walk *walk, const LMB_FLASH uint16_t *index)
+static bool off_screen(const lmb_vertex *const corner[3])
 {
-    lmb_corner corner[3];
-    int i;
+    return corner[0]->x == LMB_NOT_ON_SCREEN || corner[1]->x == LMB_NOT_ON_SCREEN || corner[2]->x == LMB_NOT_ON_SCREEN;
+}
+
+/* Cuts a triangle that is not wholly on the screen; the walk hands the polygon out as a fan. */
+static LMB_APART void clip(lmb_walk *walk, const LMB_FLASH uint16_t *index, const lmb_vertex *const corner[3])
+{
+    lmb_corner polygon[LMB_CLIP_MAX + 1];
+    unsigned i;
     for (i = 0; i < 3; i++) {
-        corner[i].p = lmb_mesh_place(walk->mesh, walk->pose, index[i]);
-        corner[i].normal = LMB_WITH_CORNERS && walk->look->model == LMB_MODEL_FLAT ? face_normal(walk->mesh, index)
-                                                                                   : walk->mesh->normals[index[i]];
+        polygon[i].p = lmb_mesh_place(walk->screen.mesh, walk->screen.pose, index[i]);
+        polygon[i].screen = *corner[i];
     }
-    walk->corners = (uint8_t)lmb_clip(walk->camera, corner, walk->polygon);
+    walk->corners = (uint8_t)lmb_clip(walk->screen.camera, polygon, walk->polygon);
     walk->fan = 1;
 }
 
-/* For flat shading: the corners again, each with the normal of the face. */
-static void flatten(lmb_walk *walk, const LMB_FLASH uint16_t *index, const lmb_vertex *corner[3])
+/* The corners of the next triangle: of a clipped one's next piece, of the next one in order, projected on the way, with the
+ * normal of their face, as the case may be; and its indices. False at the end. */
+static bool take(lmb_walk *walk, const lmb_vertex *corner[3], const LMB_FLASH uint16_t **indices)
 {
-    const lmb_vec normal = face_normal(walk->mesh, index);
-    int i;
+    const LMB_FLASH uint16_t *index = walk->index;
+    unsigned i;
+    if (LMB_WITH_PERSPECTIVE && walk->fan + 1 < walk->corners) {
+        corner[0] = &walk->polygon[0];
+        corner[1] = &walk->polygon[walk->fan++];
+        corner[2] = &walk->polygon[walk->fan];
+        return true;
+    }
+    if (index == walk->end) return false;
+    walk->index = index + 3;
+    if (walk->order) index = walk->screen.mesh->indices + (size_t)3 * *walk->order++;
+    *indices = index;
+    if (!walk->vertices) lmb_screen_project(&walk->screen, index, 3, walk->polygon);
     for (i = 0; i < 3; i++) {
-        if (corner[i] != &walk->polygon[i]) walk->polygon[i] = *corner[i];
-        walk->polygon[i].normal = normal;
+        corner[i] = walk->vertices ? &walk->vertices[index[i]] : &walk->polygon[i];
+        if (!is_flat(walk)) continue;
+        if (walk->vertices) walk->polygon[i] = *corner[i];
+        walk->polygon[i].normal = face_normal(walk->screen.mesh, index);
         corner[i] = &walk->polygon[i];
     }
+    return true;
+}
+
+/* The next triangle of any kind. */
+static LMB_APART bool next_of_any(lmb_walk *walk, lmb_triangle *triangle)
+{
+    const lmb_vertex *corner[3];
+    const LMB_FLASH uint16_t *index = walk->index;
+    while (take(walk, corner, &index)) {
+        if (LMB_SCREEN_EXACT && off_screen(corner)) {
+            if (LMB_WITH_PERSPECTIVE) clip(walk, index, corner);
+        } else if (lmb_triangle_seen(triangle, corner[0], corner[1], corner[2], walk->window)) {
+            return true;
+        }
+    }
+    return false;
 }
 
 bool lmb_mesh_next(lmb_walk *walk, lmb_triangle *triangle)
 {
     triangle->look = walk->look;
     triangle->rays = &walk->rays;
-    for (;;) {
-        const lmb_vertex *corner[3];
-        const LMB_FLASH uint16_t *index;
-        int i;
-        while (LMB_WITH_PERSPECTIVE && walk->fan + 1 < walk->corners) {
-            unsigned k = walk->fan++;
-            if (lmb_triangle_seen(triangle, &walk->polygon[0], &walk->polygon[k], &walk->polygon[k + 1], walk->window)) {
-                return true;
-            }
-        }
-        if (walk->next >= walk->mesh->triangles) return false;
-        index = walk->mesh->indices + (size_t)3 * (walk->order ? walk->order[walk->next] : walk->next);
-        walk->next++;
-        walk->corners = 0;
-        for (i = 0; i < 3; i++) {
-            corner[i] = &walk->polygon[i];
-            if (walk->vertices) {
-                corner[i] = &walk->vertices[index[i]];
-            } else {
-                project(walk->mesh, walk->pose, walk->camera, index[i], &walk->polygon[i]);
-            }
-        }
-        /* without clipping, lmb_triangle_begin drops it */
-        if (LMB_WITH_PERSPECTIVE &&
-            (corner[0]->x == NOT_ON_SCREEN || corner[1]->x == NOT_ON_SCREEN || corner[2]->x == NOT_ON_SCREEN)) {
-            clip(walk, index);
-            continue;
-        }
-        if (LMB_WITH_CORNERS && walk->look->model == LMB_MODEL_FLAT) flatten(walk, index, corner);
-        if (lmb_triangle_seen(triangle, corner[0], corner[1], corner[2], walk->window)) { return true; }
+#if LMB_SHORT_CUTS
+    while (walk->plain != walk->end) {
+        const LMB_FLASH uint16_t *index = walk->plain;
+        const lmb_vertex *v = walk->vertices;
+        walk->plain = index + 3;
+        if (lmb_triangle_seen(triangle, &v[index[0]], &v[index[1]], &v[index[2]], walk->window)) return true;
     }
+#endif
+    return next_of_any(walk, triangle);
 }
 
 /* How near a triangle is: the sum of its corners along the view axis, in mesh units; the pose's place is common to all. */
@@ -149,10 +149,9 @@ static int16_t nearness(const lmb_mesh *mesh, const lmb_pose *pose, uint32_t tri
     int32_t sum = 0;
     int i;
     for (i = 0; i < 3; i++) {
-        int32_t turned[3];
         lmb_vec room;
-        lmb_vec_rotate_wide(&pose->rotation, lmb_vec_read(&mesh->positions[index[i]], &room), turned);
-        sum = lmb_add(sum, lmb_shr(turned[2], 2));
+        int32_t turned = lmb_vec_dot_q28(&pose->rotation.row[2], lmb_vec_read(&mesh->positions[index[i]], &room));
+        sum = lmb_add(sum, lmb_shr(turned, 2));
     }
     return (int16_t)lmb_shr(sum, 15); /* |turned| < 2^30, |sum| < 3 * 2^28 < 2^30 */
 }

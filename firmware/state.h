@@ -123,24 +123,38 @@ typedef struct lmb_camera {
     int32_t x, y;        /* where the axis meets the screen, Q28.4 */
     uint32_t depth_gain; /* orthographic: 2^(30 + depth_shift) / (far - near); perspective: far / (far - near), UQ16.16 */
     uint8_t depth_shift;
+    uint8_t focal_up, near_up; /* perspective: zeros above focal_q16 and near_q16, but for the sign */
     bool perspective;
 } lmb_camera;
 
 /* Corners a polygon can have after clipping a triangle against the near plane and the four sides. */
 #define LMB_CLIP_MAX (LMB_WITH_PERSPECTIVE ? 8 : 3)
 
-/* A walk over the visible triangles of a mesh. Fields may change without notice. */
-typedef struct lmb_walk {
+/* Whether the near plane or a depth buffer wants to know how far away vertices are. */
+#define LMB_SCREEN_EXACT (LMB_WITH_PERSPECTIVE || LMB_WITH_DEPTH)
+
+/* The way of a mesh to the screen: see screen.c. */
+typedef struct lmb_screen {
     const lmb_mesh *mesh;
     const lmb_pose *pose;
     const lmb_camera *camera;
-    const lmb_look *look;
-    const lmb_vertex *vertices;
-    const uint16_t *order;
-    const lmb_window *window;
+    int32_t gain, origin[2]; /* of x and y; gain is 0 if these do not hold */
+#if LMB_SCREEN_EXACT
+    bool direct; /* these hold and the next two do; otherwise through space */
+    int32_t depth_gain, depth;
+#endif
+} lmb_screen;
+
+/* A walk over the visible triangles of a mesh. Fields may change without notice. */
+typedef struct lmb_walk {
     lmb_rays rays;
-    uint32_t next;        /* triangle */
+    const LMB_FLASH uint16_t *plain, *index, *end; /* of the next triangle that is simply read, and of any other */
+    const lmb_vertex *vertices;
+    const lmb_look *look;
+    const lmb_window *window;
+    const uint16_t *order;
     uint8_t corners, fan; /* of the clipped polygon that is being handed out */
+    lmb_screen screen;
     lmb_vertex polygon[LMB_CLIP_MAX];
 } lmb_walk;
 

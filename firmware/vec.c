@@ -92,41 +92,46 @@ lmb_vec lmb_normalise(int32_t x, int32_t y, int32_t z)
 }
 
 /* |row| <= 1.01 * 2^14 and |v| <= 2^15 sqrt(3): every partial sum is under 1.01 * 2^29 sqrt(3) < 2^30 by Cauchy. */
-void lmb_vec_rotate_wide(const lmb_matrix *m, const lmb_vec *v, int32_t out[3])
+void lmb_rotate_wide(const lmb_matrix *m, lmb_vec v, int32_t out[3])
 {
     unsigned i;
-    for (i = 0; i < 3; i++) out[i] = lmb_vec_dot_q28(&m->row[i], v);
+    for (i = 0; i < 3; i++) out[i] = lmb_vec_dot_q28(&m->row[i], &v);
 }
 
-void lmb_rotate_wide(const lmb_matrix *m, lmb_vec v, int32_t out[3]) { lmb_vec_rotate_wide(m, &v, out); }
-
-/* A loop and a copy, where three saturations in line would take 50 bytes more. */
-static void rotate(const lmb_matrix *m, lmb_vec *v)
+/* Turns v by a matrix whose elements follow one another at `across` in a row and at `down` in a column: 1 and 3 as it is, 3 and 1
+ * transposed. */
+static void rotate(const lmb_matrix *m, unsigned across, unsigned down, lmb_vec *v)
 {
-    int32_t wide[3];
+    const int16_t *e = (const int16_t *)m;
+    int16_t *to = (int16_t *)v;
+    int32_t x = v->x, y = v->y, z = v->z;
     unsigned i;
-    lmb_vec_rotate_wide(m, v, wide);
-    for (i = 0; i < 3; i++) wide[i] = lmb_max(lmb_min(lmb_shr_round(wide[i], 14), INT16_MAX), INT16_MIN);
-    v->x = (int16_t)wide[0];
-    v->y = (int16_t)wide[1];
-    v->z = (int16_t)wide[2];
+    for (i = 0; i < 3; i++, e += down) {
+        int32_t wide = lmb_add(lmb_add(lmb_mul16(e[0], x), lmb_mul16(e[across], y)), lmb_mul16(e[2 * across], z));
+        to[i] = (int16_t)lmb_max(lmb_min(lmb_shr_round(wide, 14), INT16_MAX), INT16_MIN);
+    }
 }
+LMB_STATIC_ASSERT(sizeof(lmb_matrix) == 9 * sizeof(int16_t));
 
 lmb_vec lmb_rotate(const lmb_matrix *m, lmb_vec v)
 {
-    rotate(m, &v);
+    rotate(m, 1, 3, &v);
+    return v;
+}
+
+lmb_vec lmb_rotate_back(const lmb_matrix *m, lmb_vec v)
+{
+    rotate(m, 3, 1, &v);
     return v;
 }
 
 void lmb_vec_rotate_back(const lmb_matrix *m, lmb_vec *v)
 {
-    const lmb_vec *a = &m->row[0], *b = &m->row[1], *c = &m->row[2];
-    lmb_matrix back = {{{a->x, b->x, c->x}, {a->y, b->y, c->y}, {a->z, b->z, c->z}}};
-    rotate(&back, v);
-}
-
-lmb_vec lmb_rotate_back(const lmb_matrix *m, lmb_vec v)
-{
-    lmb_vec_rotate_back(m, &v);
-    return v;
+    const int16_t *e = (const int16_t *)m;
+    int16_t *to = (int16_t *)v;
+    int32_t x = v->x, y = v->y, z = v->z;
+    unsigned i;
+    for (i = 0; i < 3; i++, e++) {
+        *to++ = (int16_t)lmb_shr_round(lmb_add(lmb_add(lmb_mul16(e[0], x), lmb_mul16(e[3], y)), lmb_mul16(e[6], z)), 14);
+    }
 }

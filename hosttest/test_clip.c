@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Clipping in space: corners that a near plane or the guard leaves, where they are and which way they face, against doubles. */
 #include "../firmware/clip.h"
+#include "../firmware/screen.h"
 #include "test.h"
 
 #define NEAR 1.0    /* units */
@@ -22,8 +23,8 @@ static double inside(const double p[3], int plane)
                         : reach + p[1];
 }
 
-/* Sutherland and Hodgman by the book: keeps what is inside, cuts edges that cross, interpolates along them and normalises. -1 if an edge crosses so
- * flatly that where it does is a matter of the last bits. */
+/* Sutherland and Hodgman by the book: keeps what is inside, cuts edges that cross, interpolates along them and normalises. -1 if
+ * an edge crosses so flatly that where it does is a matter of the last bits. */
 static int clip_reference(corner *polygon, int corners)
 {
     corner in[9];
@@ -55,14 +56,15 @@ static void random_corner(test_random *r, corner *to, lmb_corner *given, double 
     int k;
     v[0] = cos(axis) * spread, v[1] = sin(axis) * spread, v[2] = 1;
     for (k = 0; k < 3; k++) length += v[k] * v[k];
+    given->screen.x = LMB_NOT_ON_SCREEN;
     given->p.x = (int32_t)lround(test_real(r, -reach, reach) * 65536);
     given->p.y = (int32_t)lround(test_real(r, -reach, reach) * 65536);
     given->p.z = (int32_t)lround(test_real(r, -40, 30) * 65536);
-    given->normal.x = (int16_t)lround(v[0] / sqrt(length) * 16384);
-    given->normal.y = (int16_t)lround(v[1] / sqrt(length) * 16384);
-    given->normal.z = (int16_t)lround(v[2] / sqrt(length) * 16384);
+    given->screen.normal.x = (int16_t)lround(v[0] / sqrt(length) * 16384);
+    given->screen.normal.y = (int16_t)lround(v[1] / sqrt(length) * 16384);
+    given->screen.normal.z = (int16_t)lround(v[2] / sqrt(length) * 16384);
     to->p[0] = given->p.x / 65536.0, to->p[1] = given->p.y / 65536.0, to->p[2] = given->p.z / 65536.0;
-    to->n[0] = given->normal.x, to->n[1] = given->normal.y, to->n[2] = given->normal.z;
+    to->n[0] = given->screen.normal.x, to->n[1] = given->screen.normal.y, to->n[2] = given->screen.normal.z;
 }
 
 /* The angle, in radians, between a corner's normal and the reference's; *away: their distance in pixels. */
@@ -85,7 +87,7 @@ static void test_corners(test_random *r, int near)
     if (lmb_camera_perspective(&camera, SIZE, SIZE, (int32_t)(FOCAL * 65536), (int32_t)(NEAR * 65536), 100 * 65536)) abort();
     for (i = 0; i < 200000; i++) {
         corner polygon[9];
-        lmb_corner given[3];
+        lmb_corner given[LMB_CLIP_MAX + 1];
         lmb_vertex out[LMB_CLIP_MAX];
         unsigned count, k;
         int corners;
@@ -102,9 +104,9 @@ static void test_corners(test_random *r, int near)
             farthest = fmax(farthest, away);
         }
     }
-    /* Distances are known to 2^-14 unit, so at a slope of 0.2 a cut moves by 3e-4 unit along its edge: under 0.2 pixel at the near
-     * plane, and under 1e-4 of edges of a unit and more. At the guard 2^-16 unit at the near distance is 1/328 pixel, and x/w, 80 there,
-     * counts as often. Normals are rounded to 0.87 / 16384 in all. */
+    /* Distances are known to 2^-14 unit, so at a slope of 0.2 a cut moves by 3e-4 unit along its edge: under 0.2 pixel at the
+     * near plane, and under 1e-4 of edges of a unit and more. At the guard 2^-16 unit at the near distance is 1/328 pixel, and
+     * x/w, 80 there, counts as often. Normals are rounded to 0.87 / 16384 in all. */
     test_verdict(wrong <= judged / 10000 && farthest < (near ? 0.25 : 1) && worst < 3.0 / 16384 && cuts > i / 10,
                  near ? "clip: corners at the near plane" : "clip: corners at the guard",
                  "%ld polygons of %ld triangles, normals off by %.2g rad, corners by %.3g px, %ld with another number of corners",

@@ -195,7 +195,7 @@ static double lobe_at(const lmb_paint *paint, const lmb_span *span, unsigned i)
     if (span->kind == LMB_SPAN_ARC) argument += ldexp(span->specular[i].c, -30);
     argument = ldexp(argument, span->exponent[i]);
     if (argument <= 0) return 0;
-    if (has_ramps(paint)) return lmb_lobe_eval(&look->lobe, (int32_t)floor(look->light[i].quiet_q30 * (1 - argument))) / 32768.0;
+    if (has_ramps(paint)) return pow(1 - ldexp(look->light[i].quiet_q30, -30) * (1 - fmin(1, argument)), look->lobe.shininess);
     return lmb_lobe_at(&look->lobe, (int32_t)floor(argument * 65536) + look->light[i].dark_q16) / 32768.0;
 }
 
@@ -230,12 +230,12 @@ static void span_step(lmb_span *span, unsigned lights)
 
 /* Half a level for rounding; up to 2^-15 of the top for what each of nine parts loses to UQ1.15, and as much for coefficients.
  * Ramps round twice, N.L to the middle of a step of 1/64 and the highlight's argument to the middle of one of 1/256, over which
- * cos^n, 1 - quiet to 1, rises by up to n quiet / 512; the lobe errs at both ends of that. */
+ * cos^n, 1 - quiet to 1, rises by up to n quiet / 512. */
 static double level_bound(const lmb_paint *paint, int channel)
 {
     const struct lmb_look_light *light = &paint->look.light[0];
     const double top = top_of(paint->format, channel), sums = 0.5 + (paint->format == LMB_RGB888 ? 255 : 63) * 17 / 32768.0;
-    const double step = paint->look.lobe.shininess * ldexp(light->quiet_q30, -30) / (2 * LMB_GLEAM) + 2 * LMB_LOBE_MAX_ERROR;
+    const double step = paint->look.lobe.shininess * ldexp(light->quiet_q30, -30) / (2 * LMB_GLEAM);
     double ramps = top * light->diffuse_q15[channel] / 32768.0 / (2 * LMB_RAMP);
     if (!has_ramps(paint)) return sums;
     if (paint->look.specular_on) ramps += 0.5 + top * light->specular_q15[channel] / 32768.0 * step;

@@ -6,9 +6,9 @@
  * A frame that fails leaves three pictures in FOLDER (build/failed unless given): ours, the reference, and 16 times the
  * difference about grey. --pictures writes those three for every frame; --verbose says of every frame that fails how.
  *
- * Bars (NUMERICS): against the same model in double, coverage identical; 99.9 % of pixels within one level, none off by more than
- * two; RGB888 PSNR 55 dB. Against the truth beyond the model no bar is given, since method and mesh have errors of their own; what
- * is asked there only excludes a wrong model, and says so where it stands.
+ * Bars (NUMERICS): against the same model in double, coverage identical; 99.9 % of pixels within one level, none off by more
+ * than two; RGB888 PSNR 55 dB. Against the truth beyond the model no bar is given, since method and mesh have errors of their
+ * own; what is asked there only excludes a wrong model, and says so where it stands.
  */
 #include "oiio.h"
 #include "reference.h"

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The specular lobe: every lobe, every shininess, every argument, against powers of the cosine. */
 #include "../firmware/lambent.h"
+#include "../firmware/power.h"
 #include "test.h"
 
 #ifdef LMB_CHECKED
@@ -276,6 +277,30 @@ static void test_choice(void)
                  worst[2], worst[3], worst[4]);
 }
 
+/* The exact power, for ramps: every n, from the centre to beyond the quarter turn. */
+static void test_power(test_random *random)
+{
+    double worst = 0;
+    unsigned worst_n = 0, unordered = 0, centre = 0, dark = 0;
+    for (unsigned n = 1; n <= ALL_N; n++) {
+        int32_t last = 32768;
+        for (int i = 0; i <= 1200; i++) {
+            const double most = i < 600 ? fmin(2, 12.0 / n) : 2, v = (i % 600 + test_real(random, 0, 1)) * most / 600;
+            const int32_t v_q30 = (int32_t)fmin(v * 1073741824.0, 2147483647.0), value = lmb_power_q15(n, v_q30);
+            const double c = 1 - ldexp(v_q30, -30), error = fabs(value / 32768.0 - (c > 0 ? pow(c, n) : 0));
+            if (error > worst) worst = error, worst_n = n;
+            if (i % 600 == 0) last = 32768;
+            if (value > last) unordered = n;
+            last = value;
+        }
+        if (lmb_power_q15(n, 0) != 32768) centre = n;
+        if (lmb_power_q15(n, 1 << 30) != 0 || lmb_power_q15(n, INT32_MAX) != 0) dark = n;
+    }
+    test_verdict(worst <= 0.5 / 32768 + 3e-6 && !unordered && !centre && !dark, "lobe: the exact power",
+                 "every n: max error %.7f at n = %u, 2^-16 of it rounding; order %u, centre %u, dark %u", worst, worst_n,
+                 unordered, centre, dark);
+}
+
 static void test_refusals(void)
 {
     lmb_lobe lobe;
@@ -296,6 +321,7 @@ int main(int argc, char **argv)
     test_published();
     test_argument(&random);
     test_choice();
+    test_power(&random);
     test_refusals();
     return test_end();
 }

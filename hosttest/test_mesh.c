@@ -344,6 +344,9 @@ static void scene_begin(scene *s)
     s->pose.rotation = straight;
 }
 
+/* What scenes there are: far-reaching ones under either camera, and close ones. */
+enum { SCENE_ORTHOGRAPHIC, SCENE_PERSPECTIVE, SCENE_CLOSE };
+
 /* A corner that is seen, aside, far aside (about the guard band), or behind the near plane. */
 static lmb_vec random_corner(test_random *random, const scene *s)
 {
@@ -372,14 +375,37 @@ static void edge_across(test_random *random, scene *s)
     }
 }
 
-static void random_scene(test_random *random, scene *s, int perspective)
+/* A mesh that goes to the screen by one product a coordinate (screen.c), the near plane through it as a rule. */
+static void random_close(test_random *random, scene *s)
+{
+    double half, focal, near;
+    int i;
+    s->mesh.scale = (int8_t)test_integer(random, -17, -12);
+    half = ldexp(65536, s->mesh.scale + 15);
+    focal = log_real(random, 10, 370) / half * 65536;
+    near = test_real(random, -8, 8) * 65536;
+    view_set(&s->v, 0, FRAME_W, FRAME_H, focal, near, near + log_real(random, 65536, 64 * half + 65536 * 2));
+    for (i = 0; i < 3; i++) {
+        s->position[i] =
+            vec(test_integer(random, -10900, 10900), test_integer(random, -10900, 10900), test_integer(random, -10900, 10900));
+    }
+    s->pose.x = (int32_t)(test_real(random, -0.5, 0.5) * half);
+    s->pose.y = (int32_t)(test_real(random, -0.5, 0.5) * half);
+    s->pose.z = (int32_t) - (s->v.near + test_real(random, -0.2, 0.6) * half);
+}
+
+static void random_scene(test_random *random, scene *s, int kind)
 {
     double near = log_real(random, 65536 * 4, 65536 * 32);
     int i;
-    view_set(&s->v, perspective, FRAME_W, FRAME_H, log_real(random, 30, 300), near, near * log_real(random, 4, 1000));
-    s->mesh.scale = (int8_t)test_integer(random, -8, -2);
-    for (i = 0; i < 3; i++) s->position[i] = random_corner(random, s);
-    if (test_integer(random, 0, 2) == 0) edge_across(random, s);
+    if (kind == SCENE_CLOSE) {
+        random_close(random, s);
+    } else {
+        view_set(&s->v, kind, FRAME_W, FRAME_H, log_real(random, 30, 300), near, near * log_real(random, 4, 1000));
+        s->mesh.scale = (int8_t)test_integer(random, -8, -2);
+        for (i = 0; i < 3; i++) s->position[i] = random_corner(random, s);
+        if (test_integer(random, 0, 2) == 0) edge_across(random, s);
+    }
     i = s->position[0].x + s->position[2].x - s->position[1].x; /* the fourth of a parallelogram: differences of 15 bits fit */
     s->position[3].x = (int16_t)i;
     s->position[3].y = (int16_t)(s->position[0].y + s->position[2].y - s->position[1].y);
@@ -450,8 +476,9 @@ static void scene_compare(const scene *s, const region *inner, const region *out
 }
 
 /* quads: two triangles that share a diagonal; inside them each pixel comes once, along the diagonal too. */
-static void test_clipping(test_random *random, int perspective, int quads)
+static void test_clipping(test_random *random, int kind, int quads)
 {
+    static const char *const name[] = {"orthographic", "perspective", "orthographic, close"};
     static scene s;
     clip_result c = {0, 0, 0, 0, 0, 0, 0};
     int i, faults = 0;
@@ -461,7 +488,7 @@ static void test_clipping(test_random *random, int perspective, int quads)
         region inner, outer;
         lmb_point p[4];
         int k, before = c.gaps + c.twice + c.strays;
-        random_scene(random, &s, perspective);
+        random_scene(random, &s, kind);
         for (k = 0; k < 4; k++) p[k] = lmb_mesh_place(&s.mesh, &s.pose, (uint32_t)k);
         region_set(&inner, &s.v, s.v.near + NEAR_STEP, p, quads ? 4 : 3);
         region_set(&outer, &s.v, s.v.near - NEAR_STEP, p, quads ? 4 : 3);
@@ -473,8 +500,7 @@ static void test_clipping(test_random *random, int perspective, int quads)
                  quads ? "clip: two triangles that share an edge" : "clip: a triangle",
                  "%s, %d scenes, %d pixels: %d missing (deepest %.4f px inside), %d outside (farthest %.4f px), %d twice, %d by "
                  "slivers, %d beyond the window",
-                 perspective ? "perspective" : "orthographic", i, c.drawn, c.gaps, c.deepest, c.strays, c.farthest, c.twice,
-                 c.slivers, s.outside);
+                 name[kind], i, c.drawn, c.gaps, c.deepest, c.strays, c.farthest, c.twice, c.slivers, s.outside);
 }
 
 /* ---------------------------------------------------------------------------------------------------------------------- order */
@@ -544,7 +570,7 @@ int main(int argc, char **argv)
     test_refusals(&random);
     test_depth_order(&random);
     test_camera_arguments();
-    for (i = 0; i < 4; i++) test_clipping(&random, i & 1, i >> 1);
+    for (i = 0; i < 6; i++) test_clipping(&random, i % 3, i / 3);
     test_sort(&random);
     return test_end();
 }

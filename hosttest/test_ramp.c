@@ -95,14 +95,14 @@ static double exact(uint8_t ambient, uint8_t diffuse, uint8_t specular, unsigned
 }
 
 /* How far a level may be from the exact one: half a level for each of the two ramps; half a step of 1/64 of N.L and of 1/256 of
- * the argument, over which cos^n rises by n quiet / 512 at most; what the lobe errs; and, where there is no highlight to be seen,
- * the tolerance. Colours are kept to 2^-15. */
+ * the argument, over which cos^n rises by n quiet / 512 at most; and, where there is no highlight to be seen, the tolerance.
+ * Colours are kept to 2^-15. */
 static double bound_of(const lmb_paint *paint, double argument, int top, double diffuse, double specular)
 {
     const double quiet = ldexp(paint->look.light[0].quiet_q30, -30),
                  base = 0.5 + top * (diffuse / (2 * LMB_RAMP) + ldexp(3, -15));
-    if (argument <= 0) return base + top * (LMB_TOLERANCE_RGB565 / 65536.0 + specular * LMB_LOBE_MAX_ERROR);
-    return base + 0.5 + top * specular * (paint->look.lobe.shininess * quiet / (2 * LMB_GLEAM) + LMB_LOBE_MAX_ERROR);
+    if (argument <= 0) return base + top * LMB_TOLERANCE_RGB565 / 65536.0;
+    return base + 0.5 + top * specular * paint->look.lobe.shininess * quiet / (2 * LMB_GLEAM);
 }
 
 static void take_pixel(levels *e, const lmb_paint *paint, const lmb_material *m, const uint8_t *pixel, double n_l,

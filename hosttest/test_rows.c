@@ -182,8 +182,8 @@ static void test_rows(test_random *random, int format, int model, int step, bool
                  v.differ, v.miscounted, v.spilt);
 }
 
-/* Triangles whose terms leave what their corners and bulges bound them by, where ramps end: N.L just below zero where no corner is
- * unlit; a faint highlight, of which little shows, far above its centre; terms in the corner of the world that wrap. */
+/* Triangles whose terms leave what their corners and bulges bound them by, where ramps end: N.L just below zero where no corner
+ * is unlit; a faint highlight, of which little shows, far above its centre; terms in the corner of the world that wrap. */
 static void test_known(void)
 {
     static const struct {

@@ -1,0 +1,32 @@
+/* SPDX-License-Identifier: MIT */
+/* From a mesh's own space straight to the screen: pose and camera in one matrix. Inside the library only. */
+#ifndef LMB_SCREEN_H
+#define LMB_SCREEN_H
+
+#include "lambent.h"
+
+/* Code that is there for speed alone is left out where compilers are asked for small code. */
+#ifdef __OPTIMIZE_SIZE__
+#define LMB_SHORT_CUTS 0
+#else
+#define LMB_SHORT_CUTS 1
+#endif
+
+/* Kept out of a short loop, whose registers it would take. */
+#if LMB_SHORT_CUTS && defined(__GNUC__)
+#define LMB_APART __attribute__((noinline))
+#else
+#define LMB_APART
+#endif
+
+/* x of a corner that is nearer than the near plane, or far off the screen: it has no place there, but a normal. */
+#define LMB_NOT_ON_SCREEN INT32_MIN
+
+/* Prepares the way of screen->mesh to the screen; mesh, pose and camera are set and stay valid. */
+void lmb_screen_begin(lmb_screen *screen);
+
+/* Corners of the vertices index[0 .. count - 1] of the mesh, or, without index, of its first count. What a vertex comes to depends on
+ * nothing else. */
+void lmb_screen_project(const lmb_screen *screen, const LMB_FLASH uint16_t *index, uint32_t count, lmb_vertex *corners);
+
+#endif
