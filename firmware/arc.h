@@ -17,7 +17,7 @@ LMB_STATIC_ASSERT(LMB_ARC_KAPPA_MAX <= INT32_MAX / 139264); /* 1.0625 * 2^17 */
  * (Reinsch): f <- f + d, d <- d - kappa f with kappa = 2 - 2 cos(phi).
  *   Why     phi is small, and rounding 2 cos(phi) near two loses it; kappa has an exponent of its own and 14 bits of mantissa at
  *           any phi. d carries guard bits below those of f, since over m pixels it is m times smaller and is added m times.
- *   Bounds  |f| <= 1.0625 wherever a pixel is seen and one pixel after; |d|, scaled by 2^guard, < 1.85 (firmware/arc.c)
+ *   Bounds  |f| <= 1.0625 wherever a pixel is seen and one pixel after; |d|, scaled by 2^guard, < 2
  *   Error   rounding kappa turns the angle by at most 2^-14.9 psi. f >> 13 rounds down, so that f swings about 2^-18 instead of
  *           zero; lmb_arc_start allows for that.
  *   Cost    one multiplication (low word), three shifts, two additions */
@@ -25,6 +25,29 @@ static inline void lmb_arc_step(const lmb_arc *arc, lmb_term *term)
 {
     term->f = lmb_add(term->f, lmb_shr(term->d, arc->guard));
     term->d = lmb_sub(term->d, lmb_shr(lmb_mul(arc->kappa, lmb_shr(term->f, 13)), arc->kappa_shift));
+}
+
+/* A product of components: where int has 16 bits the narrow product is the cheap one; elsewhere loads of int16_t cost more. */
+static inline int32_t lmb_narrow_(int32_t a, int32_t b) { return sizeof(int) == 2 ? lmb_mul16(a, b) : lmb_mul(a, b); }
+
+/* The components of an end alone, which are enough for rough curves; and what of it the others want. */
+static inline void lmb_end_place(lmb_end *end, int32_t x, int32_t y, int32_t z)
+{
+    end->x = x;
+    end->y = y;
+    end->z = z;
+}
+static inline void lmb_end_measure(lmb_end *end)
+{
+    const int32_t x = end->x, y = end->y, z = end->z;
+    end->excess_q28 = lmb_sub(lmb_add(lmb_add(lmb_narrow_(x, x), lmb_narrow_(y, y)), lmb_narrow_(z, z)), 0x10000000);
+}
+
+/* lmb_end_prepare for a normal, Q2.14, that is known to be unit within 2^-11 of its squared length. */
+static inline void lmb_end_set(lmb_end *end, int32_t x, int32_t y, int32_t z)
+{
+    lmb_end_place(end, x, y, z);
+    lmb_end_measure(end);
 }
 
 /* ----------------------------------------------------------------------------------------------- the forms of paper 001 itself
