@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Cameras: points in space onto the screen, 1/w by table and multiplication. */
+/* Cameras: points in space onto the screen, 1/w by multiplication. */
 #include "lambent.h"
 
 #define NEAR_MIN 256 /* 1/256 unit: keeps near / w to 16 bits */
@@ -7,10 +7,8 @@
 /* What both kinds share; near and far must fit, and their distance too. */
 static int camera_begin(lmb_camera *camera, int width, int height, int32_t focal_q16, int32_t near_q16, int32_t far_q16)
 {
-    if (width < 1 || height < 1 || width > 32767 || height > 32767 || focal_q16 < 1 || near_q16 >= far_q16 ||
-        lmb_sub_wrap(far_q16, near_q16) < 0) {
-        return LMB_ERROR_VALUE;
-    }
+    const bool frame = width != 0 && height != 0 && (width | height) >> 15 == 0; /* 1 to 32767 */
+    if (!frame || focal_q16 < 1 || near_q16 >= far_q16 || lmb_sub_wrap(far_q16, near_q16) < 0) return LMB_ERROR_VALUE;
     camera->focal_q16 = focal_q16;
     camera->near_q16 = near_q16;
     camera->far_q16 = far_q16;

@@ -1,21 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Look: material and lights folded together, half vectors, rays in the space of the normals. */
-#include "power.h"
+#include "look.h"
+#include "shade.h"
 #include "vec.h"
-
-/* Directions within 5 % of unit length: 0.95^2 and 1.05^2 in Q4.28. */
-#define LENGTH2_MIN 242262999u
-#define LENGTH2_MAX 295950609u
-LMB_STATIC_ASSERT(LENGTH2_MIN<0x10000000 && LENGTH2_MAX> 0x10000000);
-
-static uint32_t square(int32_t x) { return (uint32_t)lmb_mul16(x, x); }
-
-/* Any vector: three squares of 2^30 fit 32 bits. */
-static bool is_unit(const lmb_vec *d)
-{
-    uint32_t length2 = square(d->x) + square(d->y) + square(d->z);
-    return length2 >= LENGTH2_MIN && length2 <= LENGTH2_MAX;
-}
 
 /* The product of two UQ0.8 colours as UQ1.15: a b 32768 / 255^2, rounded to nearest. 0x81018203 is 2^47 / 255^2, rounded up;
  * its two halves keep products within 32 bits: 255^2 0x8101 < 2^31. */
@@ -26,23 +13,23 @@ static uint16_t product_q15(uint32_t a, uint32_t b)
 }
 
 LMB_STATIC_ASSERT(sizeof(lmb_rgb) == 3); /* so colours can be taken as three bytes */
-static void fold(uint16_t out[3], const lmb_rgb *material, const lmb_rgb *light)
+void lmb_colour_fold(uint16_t out[3], const lmb_rgb *material, const lmb_rgb *light)
 {
     const uint8_t *m = (const uint8_t *)material, *l = (const uint8_t *)light;
     unsigned i;
     for (i = 0; i < 3; i++) out[i] = product_q15(m[i], l ? l[i] : 255);
 }
 
-static int light_prepare(struct lmb_look_light *to, const lmb_material *material, const lmb_light *light)
+/* False for no unit vector. A length is the dot product with the unit vector along it, Q4.28; 0.9492 to 1.0508 are taken. */
+static bool light_prepare(struct lmb_look_light *to, const lmb_material *material, const lmb_light *light)
 {
-    const lmb_vec *d = &light->direction;
-    if (!is_unit(d)) return LMB_ERROR_VALUE;
+    const lmb_vec *d = &light->direction, *unit = &to->direction;
     lmb_vec_normalise(&to->direction, d->x, d->y, d->z);
-    d = &to->direction;
-    lmb_vec_normalise(&to->half, d->x, d->y, lmb_add(d->z, 16384)); /* the viewer is along +z */
-    fold(to->diffuse_q15, &material->diffuse, &light->colour);
-    fold(to->specular_q15, &material->specular, &light->colour);
-    return LMB_OK;
+    if ((uint32_t)lmb_sub(lmb_shr(lmb_vec_dot_q28(d, unit), 20), 243) > 268 - 243) return false;
+    lmb_vec_normalise(&to->half, unit->x, unit->y, lmb_add(unit->z, 16384)); /* the viewer is along +z */
+    lmb_colour_fold(to->diffuse_q15, &material->diffuse, &light->colour);
+    lmb_colour_fold(to->specular_q15, &material->specular, &light->colour);
+    return true;
 }
 
 /* The lobe of a look: without lobes its exponent alone. */
@@ -50,50 +37,45 @@ static int lobe_prepare(lmb_look *look, enum lmb_lobe_kind kind, unsigned n, uin
 {
     if (LMB_WITH_LOBES) return lmb_lobe_prepare(&look->lobe, kind, n, tolerance);
     look->lobe.shininess = (uint16_t)n;
-    return kind != LMB_LOBE_TUNED || n < 1 || n > LMB_SHININESS_MAX ? LMB_ERROR_VALUE : LMB_OK;
+    return kind != LMB_LOBE_TUNED || n - 1 >= LMB_SHININESS_MAX ? LMB_ERROR_VALUE : LMB_OK;
 }
 
 int lmb_look_prepare(lmb_look *look, const lmb_material *material, const lmb_light *lights, unsigned light_count,
                      enum lmb_model model, enum lmb_step_kind step)
 {
     unsigned i;
-    int error;
-    if (light_count < 1 || light_count > LMB_LIGHTS) return LMB_ERROR_LIGHTS;
+    if (light_count - 1 >= LMB_LIGHTS) return LMB_ERROR_LIGHTS;
     if ((unsigned)model > LMB_MODEL_GLOSS || (unsigned)step > LMB_STEP_ARC) return LMB_ERROR_VALUE;
     if (!LMB_WITH_ARC && step == LMB_STEP_ARC) return LMB_ERROR_VALUE;
     if (!LMB_WITH_CORNERS && model < LMB_MODEL_DIFFUSE) return LMB_ERROR_VALUE;
-    error = lobe_prepare(look, LMB_LOBE_TUNED, material->shininess, 0);
+    if (lobe_prepare(look, LMB_LOBE_TUNED, material->shininess, 0)) return LMB_ERROR_VALUE;
     look->model = (uint8_t)model;
     look->step = (uint8_t)step;
     look->lights = (uint8_t)light_count;
-    fold(look->ambient_q15, &material->ambient, NULL);
-    for (i = 0; i < lmb_look_lights(look) && error == LMB_OK; i++) error = light_prepare(&look->light[i], material, &lights[i]);
-    if (error == LMB_OK) lmb_look_tolerance(look, LMB_TOLERANCE_RGB888);
-    return error;
-}
-
-/* What a ramp holds at v = 1 - N.H, UQ1.15: the power itself, or the lobe of paper 000 where that was asked for. */
-static int32_t ramp_value(const lmb_look *look, int32_t v_q30)
-{
-    if (LMB_WITH_LOBES && look->lobe.error_uq16 == 65535) return lmb_lobe_eval(&look->lobe, v_q30);
-    return lmb_power_q15(look->lobe.shininess, v_q30);
+    lmb_colour_fold(look->ambient_q15, &material->ambient, NULL);
+    for (i = 0; i < lmb_look_lights(look); i++) {
+        if (!light_prepare(&look->light[i], material, &lights[i])) return LMB_ERROR_VALUE;
+    }
+    lmb_look_tolerance(look, LMB_TOLERANCE_RGB888);
+    return LMB_OK;
 }
 
 /* The largest v = 1 - N.H in Q2.30 at which the highlight times strength, both UQ1.15, is above what is tolerated, or just under
  * it: bit by bit, as it never grows with v. */
 static int32_t quiet_from(const lmb_look *look, int32_t strength_q15, bool ramp)
 {
-    const int32_t tolerated_q30 = lmb_shl(look->tolerance, 14);
-    int32_t v_q30 = 0, bit;
-    for (bit = (int32_t)1 << 30; bit >= 4096; bit >>= 1) {
-        const int32_t v = lmb_add(v_q30, bit),
-                      value = LMB_WITH_LOBES && !ramp ? lmb_lobe_eval(&look->lobe, v) : ramp_value(look, v);
-        if (lmb_mul(value, strength_q15) > tolerated_q30) v_q30 = v;
+    int32_t v = 0;
+    unsigned bit;
+    for (bit = 30; bit >= 12; bit--) {
+        int32_t value;
+        v = lmb_add(v, (int32_t)1 << bit);
+        value = LMB_WITH_LOBES && !ramp ? lmb_lobe_eval(&look->lobe, v) : lmb_highlight_q15(look, v);
+        if (lmb_mul(value, strength_q15) <= lmb_shl(look->tolerance, 14)) v = lmb_sub(v, (int32_t)1 << bit);
     }
-    return v_q30;
+    return v;
 }
 
-static int32_t largest(const uint16_t channel[3]) { return lmb_max(lmb_max(channel[0], channel[1]), channel[2]); }
+static LMB_OUTLINE int32_t largest(const uint16_t channel[3]) { return lmb_max(lmb_max(channel[0], channel[1]), channel[2]); }
 
 /* The line of s, from where the highlight ends. */
 static void line_of_lobe(struct lmb_look_light *light, const lmb_lobe *lobe)
@@ -114,55 +96,90 @@ static void line_of_ramp(struct lmb_look_light *light)
     light->line.shift = (int8_t)(29 - (int)shift);
 }
 
-static void lines_set(lmb_look *look, bool ramp)
+/* The bend up to which linear N.L is good enough, Q28: tolerance over the diffuse strength. Strengths below a quarter are
+ * doubled until they are not: four times the tolerance is enough. */
+static int32_t straight_up_to(uint16_t tolerance, int32_t strength_q15)
 {
-    unsigned i, shift;
-    look->specular_on = 0;
-    for (i = 0; i < lmb_look_lights(look); i++) {
-        struct lmb_look_light *light = &look->light[i];
-        /* tolerance over the diffuse strength, up to two: the reciprocal of a number below 2^16 + 1 */
-        uint32_t reciprocal = lmb_reciprocal((uint32_t)largest(light->diffuse_q15) + 1, &shift);
-        light->straight_q28 = lmb_shr(lmb_mul_q16(lmb_signed(reciprocal >> 1), look->tolerance), shift < 13 ? 0 : shift - 13);
-        light->quiet_q30 = quiet_from(look, largest(light->specular_q15), ramp);
-        if (LMB_WITH_LOBES && !ramp) {
-            line_of_lobe(light, &look->lobe);
-        } else {
-            line_of_ramp(light);
-        }
-        if (light->quiet_q30 && look->model != LMB_MODEL_DIFFUSE) look->specular_on = (uint8_t)(look->specular_on | 1u << i);
+    unsigned shift;
+    const uint32_t reciprocal = lmb_reciprocal((uint32_t)strength_q15 + 1, &shift);
+    return (int32_t)(lmb_mulu(reciprocal >> 17, tolerance) >> (shift < 13 ? 0 : shift - 13));
+}
+
+/* What the tolerance makes of a light; true if it leaves a highlight. */
+static bool light_set(const lmb_look *look, struct lmb_look_light *light, bool ramp)
+{
+    light->straight_q28 = straight_up_to(look->tolerance, largest(light->diffuse_q15));
+    light->quiet_q30 = quiet_from(look, largest(light->specular_q15), ramp);
+    if (LMB_WITH_LOBES && !ramp) {
+        line_of_lobe(light, &look->lobe);
+    } else {
+        line_of_ramp(light);
     }
+    return look->model != LMB_MODEL_DIFFUSE && light->quiet_q30;
+}
+
+static void lights_set(lmb_look *look, bool ramp)
+{
+    unsigned i, on = 0;
+    for (i = 0; i < lmb_look_lights(look); i++) on |= (unsigned)light_set(look, &look->light[i], ramp) << i;
+    look->specular_on = (uint8_t)on;
 }
 
 void lmb_look_tolerance(lmb_look *look, uint16_t tolerance)
 {
     look->tolerance = tolerance;
-    lines_set(look, false);
+    lights_set(look, false);
 }
 
-void lmb_look_ramp(lmb_look *look) { lines_set(look, true); }
+void lmb_look_ramp(lmb_look *look)
+{
+    if (LMB_WITH_LOBES) lights_set(look, true); /* without lobes lines are those of ramps anyway */
+}
 
 int32_t lmb_look_ramp_at(const lmb_look *look, unsigned i, uint32_t argument_q30)
 {
     int32_t rest_q15 = (int32_t)(argument_q30 < 0x40000000 ? (0x40000000 - argument_q30) >> 15 : 0);
-    return ramp_value(look, lmb_mul_q15(look->light[i].quiet_q30, lmb_min(rest_q15, 32767)));
+    return lmb_highlight_q15(look, lmb_mul_q15(look->light[i].quiet_q30, lmb_min(rest_q15, 32767)));
 }
 
 int lmb_look_lobe(lmb_look *look, enum lmb_lobe_kind kind, uint16_t tolerance)
 {
     int error = lobe_prepare(look, kind, look->lobe.shininess, tolerance);
-    if (error == LMB_OK) lines_set(look, false);
+    if (error == LMB_OK) lmb_look_tolerance(look, look->tolerance);
     return error;
 }
+
+#if LMB_WITH_ARC
+/* The highlight's beam is slope (N.H), over 2^exponent; slope < 2^(shift + 1), so that the argument is in (-2, 2) then. */
+static void beams_prepare(struct lmb_ray *ray, const lmb_line *line)
+{
+    const int32_t above = line->shift + 1, exponent = lmb_max(above, 0);
+    lmb_beam_prepare(&ray->diffuse, ray->direction, 65536);
+    lmb_beam_prepare(&ray->specular, ray->half, (uint32_t)line->slope >> (exponent - above));
+    ray->offset_q30 = lmb_sub(lmb_shr(line->top_q30, (unsigned)exponent), ray->specular.peak_q30);
+    ray->exponent = (uint8_t)exponent;
+}
+#endif
 
 void lmb_rays_prepare(lmb_rays *rays, const lmb_look *look, const lmb_matrix *rotation)
 {
     unsigned i;
+    rays->bend_q28 = LMB_BEND_UNKNOWN;
     for (i = 0; i < lmb_look_lights(look); i++) {
         struct lmb_ray *ray = &rays->light[i];
         lmb_vec_copy(&ray->direction, &look->light[i].direction);
         lmb_vec_copy(&ray->half, &look->light[i].half);
-        if (!rotation) continue;
-        lmb_vec_rotate_back(rotation, &ray->direction);
-        lmb_vec_rotate_back(rotation, &ray->half);
+        if (rotation) {
+            lmb_vec_rotate_back(rotation, &ray->direction);
+            lmb_vec_rotate_back(rotation, &ray->half);
+        }
+#if LMB_WITH_ARC
+        if (look->step == LMB_STEP_ARC) beams_prepare(ray, &look->light[i].line);
+        ray->shines = lmb_bit(look->specular_on, i);
+#endif
     }
+#if LMB_WITH_ARC
+    rays->curve_q28 = lmb_curve_limit_q28(look->lobe.shininess);
+    rays->rough = look->tolerance >= LMB_TOLERANCE_RGB565 && look->lobe.shininess <= LMB_CURVE_ROUGH_SHININESS;
+#endif
 }

@@ -46,33 +46,32 @@ static bool depth_begin(lmb_screen *s)
 }
 #endif
 
-/* focal 2^(scale + 6), rounded; where that is beyond all use, still something beyond. */
-static int32_t gain_of(int32_t focal_q16, int32_t scale)
+/* focal 2^up, rounded; where that is beyond all use, still something beyond. */
+static int32_t gain_of(int32_t focal_q16, int32_t up)
 {
-    int32_t down = -(scale + 6);
-    if (down <= 0) return lmb_shl(lmb_min(focal_q16, 65536), (unsigned)-down);
-    return lmb_shr(lmb_add(lmb_shr(focal_q16, (unsigned)down - 1), 1), 1);
+    if (up >= 0) return lmb_shl(lmb_min(focal_q16, 65536), (unsigned)up);
+    return lmb_shr(lmb_add(lmb_shr(focal_q16, (unsigned)~up), 1), 1); /* ~up is -up - 1 */
 }
 
-/* Origins are centre + place focal / 2^28 in 1/16 pixel, a half to round and half a gain; from 1024 pixels on they wrap. */
+/* centre + place focal / 2^28 + a half in 1/16 pixel, and more, both with 17 more fraction bits; from 1024 pixels on it wraps.
+ * Takes the gain away where with what t adds it might. */
+static LMB_OUTLINE int32_t origin_of(lmb_screen *s, int32_t centre, int32_t place, int32_t more)
+{
+    const int64_t product = lmb_mul_wide(place, s->camera->focal_q16);
+    const int32_t pixel = lmb_add((int32_t)(product >> 32), lmb_shr(centre, 4));
+    if ((pixel ^ lmb_shr(pixel, 31)) > lmb_sub(ORIGIN_MAX, lmb_shr(s->gain, 6))) s->gain = 0;
+    return lmb_signed((uint32_t)(product >> 11) + ((2 * (uint32_t)centre + 1) << (SHIFT - 1)) + (uint32_t)more);
+}
+
+/* Half a gain, which what is floored falls short by, is added; y is the other way round. */
 void lmb_screen_begin(lmb_screen *s)
 {
     const lmb_camera *camera = s->camera;
-    int32_t place[2], centre[2], one = (int32_t)1 << SHIFT, gain = gain_of(camera->focal_q16, s->mesh->scale);
-    int32_t half = lmb_add(lmb_shr(one, 1), lmb_shr(gain, 1));
-    unsigned i;
-    place[0] = s->pose->x;
-    place[1] = lmb_sub(0, s->pose->y);
-    centre[0] = camera->x;
-    centre[1] = camera->y;
+    const lmb_pose *pose = s->pose;
+    const int32_t gain = gain_of(camera->focal_q16, s->mesh->scale + 6), half = lmb_shr(gain, 1);
     s->gain = gain;
-    for (i = 0; i < 2; i++) {
-        int64_t product = lmb_mul_wide(place[i], camera->focal_q16);
-        int32_t pixel = lmb_add((int32_t)(product >> 32), lmb_shr(centre[i], 4));
-        s->origin[i] = lmb_signed((uint32_t)(product >> 11) + ((uint32_t)centre[i] << SHIFT) + (uint32_t)half);
-        half = lmb_sub(one, half); /* y is the other way round */
-        if ((pixel ^ lmb_shr(pixel, 31)) > lmb_sub(ORIGIN_MAX, lmb_shr(gain, 6))) s->gain = 0;
-    }
+    s->origin[0] = origin_of(s, camera->x, pose->x, half);
+    s->origin[1] = origin_of(s, camera->y, lmb_sub(0, pose->y), lmb_sub(0, half));
 #if LMB_SCREEN_EXACT
     s->direct = s->gain > 0 && s->gain <= GAIN_MAX && !camera->perspective && depth_begin(s);
 #endif
@@ -130,21 +129,15 @@ void lmb_screen_project(const lmb_screen *screen, const LMB_FLASH uint16_t *inde
     const lmb_screen *s = screen;
     const lmb_matrix *r = &s->pose->rotation;
 #endif
-    const LMB_FLASH lmb_vec *position = s->mesh->positions, *normal = s->mesh->normals;
-    const lmb_vertex *end = corner + count;
+    uint32_t n = 0;
 #if LMB_SCREEN_EXACT
-    uint32_t i;
-    for (i = 0; !s->direct && corner != end; i++, corner++) project(screen, index ? index[i] : i, corner);
+    for (; !s->direct && n < count; n++) project(screen, index ? index[n] : n, corner + n);
 #endif
-    for (; corner != end; corner++) {
+    for (corner += n; n < count; n++, corner++) {
+        const uint32_t i = index ? index[n] : n;
         lmb_vec room;
-        const lmb_vec *v;
+        const lmb_vec *v = lmb_vec_read(&s->mesh->positions[i], &room);
         int32_t t;
-        if (index) {
-            position = screen->mesh->positions + *index;
-            normal = screen->mesh->normals + *index++;
-        }
-        v = lmb_vec_read(position++, &room);
         t = lmb_shr(turn(&r->row[0], v), 15);
         corner->x = lmb_shr(lmb_add(s->origin[0], lmb_mul(t, s->gain)), SHIFT);
         t = lmb_shr(turn(&r->row[1], v), 15);
@@ -162,7 +155,7 @@ void lmb_screen_project(const lmb_screen *screen, const LMB_FLASH uint16_t *inde
             if (LMB_WITH_DEPTH) corner->depth = (uint16_t)depth;
         }
 #endif
-        lmb_vec_copy(&corner->normal, lmb_vec_read(normal++, &room));
+        lmb_vec_copy(&corner->normal, lmb_vec_read(&s->mesh->normals[i], &room));
     }
 }
 

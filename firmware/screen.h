@@ -5,20 +5,6 @@
 
 #include "lambent.h"
 
-/* Code that is there for speed alone is left out where compilers are asked for small code. */
-#ifdef __OPTIMIZE_SIZE__
-#define LMB_SHORT_CUTS 0
-#else
-#define LMB_SHORT_CUTS 1
-#endif
-
-/* Kept out of a short loop, whose registers it would take. */
-#if LMB_SHORT_CUTS && defined(__GNUC__)
-#define LMB_APART __attribute__((noinline))
-#else
-#define LMB_APART
-#endif
-
 /* x of a corner that is nearer than the near plane, or far off the screen: it has no place there, but a normal. */
 #define LMB_NOT_ON_SCREEN INT32_MIN
 

@@ -4,24 +4,13 @@
 
 unsigned lmb_clz32_search(uint32_t x)
 {
-    unsigned n = 32;
-    if (x >> 16) {
-        n -= 16;
-        x >>= 16;
+    unsigned n = 32, step;
+    LMB_UNROLL
+    for (step = 16; step > 0; step >>= 1) {
+        if (x >> step == 0) continue;
+        n -= step;
+        x >>= step;
     }
-    if (x >> 8) {
-        n -= 8;
-        x >>= 8;
-    }
-    if (x >> 4) {
-        n -= 4;
-        x >>= 4;
-    }
-    if (x >> 2) {
-        n -= 2;
-        x >>= 2;
-    }
-    if (x >> 1) { return n - 2; }
     return n - (unsigned)x;
 }
 

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Surfaces, clearing, and whole meshes in one call. */
-#include "fill.h"
+#include "levels.h"
+#include "paint.h"
+
+#include "../firmware/look.h"
 
 void lmb_surface_strip(lmb_surface *surface, enum lmb_format format, void *pixels, uint16_t *depth, int width, int top,
                        int bottom)
@@ -13,31 +16,38 @@ void lmb_surface_strip(lmb_surface *surface, enum lmb_format format, void *pixel
     surface->window.right = (int16_t)width;
     surface->window.top = (int16_t)top;
     surface->window.bottom = (int16_t)bottom;
-    surface->window.depth = depth != NULL;
+    surface->window.depth = LMB_WITH_DEPTH && depth != NULL;
+}
+
+static uint16_t pixel_of(const lmb_rgb *colour)
+{
+    uint16_t q15[3];
+    lmb_colour_fold(q15, colour, NULL);
+    return STORE_ORDER(lmb_shade_565(NULL, q15, 32768));
 }
 
 void lmb_clear(const lmb_surface *surface, lmb_rgb colour)
 {
     const lmb_window *w = &surface->window;
-    size_t width = (size_t)lmb_sub(w->right, w->left), height = (size_t)lmb_sub(w->bottom, w->top), x, y;
-    /* level of c / 255 in 31 or 63: c * 31 / 255 + 1/2, exactly rounded for every c */
-    unsigned r = (colour.r * 249u + 1014u) >> 11, g = (colour.g * 253u + 505u) >> 10, b = (colour.b * 249u + 1014u) >> 11;
-    uint8_t low = (uint8_t)(g << 5 | b), high = (uint8_t)(r << 3 | g >> 3);
-    for (y = 0; y < height; y++) {
-        uint8_t *pixel = (uint8_t *)surface->pixels + y * surface->pitch;
-        for (x = 0; x < width; x++) {
-            if (lmb_format_bytes((enum lmb_format)surface->format) == 2) {
-                *pixel++ = low;
-                *pixel++ = high;
+    const bool rgb565 = lmb_format_bytes((enum lmb_format)surface->format) == 2;
+    const uint16_t pixel565 = rgb565 ? pixel_of(&colour) : 0;
+    uint8_t *row = surface->pixels;
+    int32_t width = lmb_sub(w->right, w->left), height = lmb_sub(w->bottom, w->top), x, y;
+    uint16_t *depth = surface->depth;
+    for (y = height; y > 0; y--, row += surface->pitch) {
+        uint8_t *pixel = row;
+        for (x = width; x > 0; x--) {
+            if (rgb565) {
+                *(uint16_t *)(void *)pixel = pixel565;
+                pixel += 2;
             } else {
                 *pixel++ = colour.r;
                 *pixel++ = colour.g;
                 *pixel++ = colour.b;
             }
+            if (LMB_WITH_DEPTH && depth) *depth++ = 65535;
         }
     }
-    if (!LMB_WITH_DEPTH || !surface->depth) return;
-    for (x = 0; x < width * height; x++) surface->depth[x] = 65535;
 }
 
 uint32_t lmb_draw_mesh(const lmb_surface *surface, const lmb_mesh *mesh, const lmb_pose *pose, const lmb_camera *camera,
@@ -45,8 +55,8 @@ uint32_t lmb_draw_mesh(const lmb_surface *surface, const lmb_mesh *mesh, const l
 {
     lmb_walk walk;
     lmb_triangle triangle;
-    uint32_t pixels = 0;
+    uint32_t triangles = 0;
     lmb_mesh_begin(&walk, mesh, pose, camera, &paint->look, &surface->window, vertices, order);
-    while (lmb_mesh_next(&walk, &triangle)) pixels += lmb_fill_triangle(surface, paint, &triangle);
-    return pixels;
+    for (; lmb_mesh_next(&walk, &triangle); triangles++) lmb_fill_triangle(surface, paint, &triangle);
+    return triangles;
 }

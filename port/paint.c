@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Paints: a look in the colours of a format. */
+#include "paint.h"
 #include "run.h"
+
+#include "../firmware/look.h"
 
 /* UQ1.15 times top, as a coefficient whose product with UQ1.15 has the channel's fraction. */
 static uint32_t coefficient(uint32_t q15, channel c)
@@ -8,43 +11,50 @@ static uint32_t coefficient(uint32_t q15, channel c)
     return (lmb_mulu(q15, c.top) + ((uint32_t)1 << (29 - c.fraction))) >> (30 - c.fraction);
 }
 
-/* base, which may be NULL, plus q15 times the coefficients, all UQ1.15, as an RGB565 pixel. */
-static uint16_t shade_of(const uint16_t base[3], const uint16_t coefficient[3], uint32_t q15)
+uint16_t lmb_shade_565(const uint16_t base[3], const uint16_t coefficient[3], uint32_t q15)
 {
     uint32_t pixel = 0;
-    unsigned k;
+    unsigned k, bits = 5;
     for (k = 0; k < 3; k++) {
-        const uint32_t top = k == 1 ? 63 : 31, sum_q30 = lmb_mulu(coefficient[k], q15) + (base ? (uint32_t)base[k] << 15 : 0);
-        const uint32_t l = (lmb_mulu(sum_q30 >> 14, top) + 0x8000u) >> 16;
-        pixel = pixel << (k == 1 ? 6 : 5) | (l > top ? top : l);
+        const int32_t sum_q16 = (int32_t)((lmb_mulu(coefficient[k], q15) + (base ? (uint32_t)base[k] << 15 : 0)) >> 14);
+        const uint32_t q16 = (uint32_t)lmb_min(sum_q16, 65536);
+        pixel = pixel << bits | ((q16 << bits) - q16 + 0x8000u) >> 16; /* q16 times 31 or 63, rounded */
+        bits ^= 5 ^ 6;
     }
     return (uint16_t)pixel;
 }
 
 /* Step i stands for values from i to i + 1 steps, so it takes the middle. */
-static uint16_t colour_step(const lmb_paint *paint, uint32_t i)
+static uint16_t colour_step(const lmb_look *look, int32_t i)
 {
-    return shade_of(paint->look.ambient_q15, paint->look.light[0].diffuse_q15, i < LMB_RAMP ? 512 * i + 256 : 32768);
+    return lmb_shade_565(look->ambient_q15, look->light[0].diffuse_q15, (uint32_t)lmb_min(512 * i + 256, 32768));
 }
 
-static uint16_t highlight_step(const lmb_paint *paint, uint32_t i)
+/* The same of the highlight, whose argument rises from zero at quiet to one at v = 0. */
+static uint16_t highlight_step(const lmb_look *look, int32_t i)
 {
-    uint32_t lobe = (uint32_t)lmb_look_ramp_at(&paint->look, 0, (i << 22) + ((uint32_t)1 << 21));
-    return shade_of(NULL, paint->look.light[0].specular_q15, lobe);
+    const int32_t v_q30 = lmb_mul(lmb_shr(look->light[0].quiet_q30, 9), lmb_max(2 * LMB_GLEAM - 1 - 2 * i, 0));
+    return lmb_shade_565(NULL, look->light[0].specular_q15, (uint32_t)lmb_highlight_q15(look, v_q30));
 }
 
 #if LMB_WITH_RAMPS
-static void ramps(lmb_paint *paint)
+LMB_STATIC_ASSERT(LMB_RAMP_TOP <= LMB_GLEAM_TOP);
+static LMB_OUTLINE void ramps(lmb_paint *paint, const lmb_look *look)
 {
-    uint32_t i;
-    lmb_look_ramp(&paint->look);
-    for (i = 0; i < LMB_RAMP_TOP; i++) paint->colour[i] = colour_step(paint, i);
-    for (i = 0; i < LMB_GLEAM_TOP; i++) paint->gleam[i] = highlight_step(paint, i);
+    int32_t i;
+    for (i = 0; i < LMB_GLEAM_TOP; i++) {
+        if (i < LMB_RAMP_TOP) paint->ramp[i] = colour_step(look, i);
+        paint->ramp[LMB_RAMP_TOP + i] = highlight_step(look, i);
+    }
 }
 #else
-static void ramps(lmb_paint *paint) { lmb_look_ramp(&paint->look); }
-uint16_t lmb_paint_colour(const lmb_paint *paint, uint32_t step) { return colour_step(paint, step); }
-uint16_t lmb_paint_gleam(const lmb_paint *paint, uint32_t step) { return highlight_step(paint, step); }
+static void ramps(lmb_paint *paint, const lmb_look *look)
+{
+    (void)paint;
+    (void)look;
+}
+uint16_t lmb_paint_colour(const lmb_paint *paint, uint32_t step) { return colour_step(&paint->look, (int32_t)step); }
+uint16_t lmb_paint_gleam(const lmb_paint *paint, uint32_t step) { return highlight_step(&paint->look, (int32_t)step); }
 #endif
 
 /* Coefficients of sums, for all that ramps do not serve. */
@@ -70,11 +80,11 @@ void lmb_paint_prepare(lmb_paint *paint, const lmb_look *look, enum lmb_format f
     paint->look = *look;
     paint->format = (uint8_t)known;
     paint->ramped = known == LMB_RGB565 && lmb_paint_is_simple(paint);
-    paint->look.tolerance = known == LMB_RGB565 ? LMB_TOLERANCE_RGB565 : LMB_TOLERANCE_RGB888;
+    lmb_look_tolerance(&paint->look, known == LMB_RGB565 ? LMB_TOLERANCE_RGB565 : LMB_TOLERANCE_RGB888);
     if (known == LMB_RGB565 && lmb_paint_is_simple(paint)) {
-        ramps(paint);
+        if (LMB_WITH_LOBES) lmb_look_ramp(&paint->look);
+        ramps(paint, &paint->look);
     } else {
-        lmb_look_tolerance(&paint->look, paint->look.tolerance);
         coefficients(paint, known);
     }
 }
