@@ -181,7 +181,7 @@ $(B)/gen/gen_%.o: tables/gen_%.c
 	@mkdir -p $(@D)
 	$(Q)$(COMPILE) -c $< -o $@
 
-$(B)/gen/gen_icosphere $(B)/gen/gen_torus $(B)/gen/gen_teapot: $(B)/gen/gen_%: $(B)/gen/gen_%.o $(B)/gen/mesh_out.o
+$(B)/gen/gen_icosphere $(B)/gen/gen_torus $(B)/gen/gen_teapot: $(B)/gen/gen_%: $(B)/gen/gen_%.o $(B)/gen/mesh_out.o $(B)/liblambent.a
 	$(Q)$(CC) $(LMB_CFLAGS) $(CFLAGS) $^ -o $@ $(LDFLAGS) -lm
 
 $(B)/gen/gen_%: $(B)/gen/gen_%.o
@@ -305,7 +305,7 @@ include hosttest/profile/profile.mk
 WEIGHED_FILES := $(wildcard firmware/*.[ch] port/*.[ch] tables/*_table.h hosttest/size_* hosttest/size.ld)
 define size_rules
 $$(B)/size/$1/%/whole.elf: $$(WEIGHED_FILES) port/targets.mk
-	$$(Q)hosttest/size_image.sh $$(@D) "$$($1.prefix)" "$$($1.flags)" $$(filter %di3.c,$$($1.sources))
+	$$(Q)hosttest/size_image.sh $$(@D) "$$($1.prefix)" "$$(filter-out -DLMB_LOOPS=1,$$($1.flags))" $$(filter %di3.c,$$($1.sources))
 
 $$(B)/size/$1/%/marked.elf: $$(B)/size/$1/%/whole.elf $$(B)/meshes/icosphere_320.c $$(wildcard hosttest/stack*) $$($1.sources) $$($1.ld)
 	$$(Q)hosttest/stack_image.sh $$(@D) "$$($1.prefix)" "$$($1.flags)" "$$($1.link)" $$(B)/meshes/icosphere_320.c $$($1.sources)

@@ -45,6 +45,27 @@ LMB_STATIC_ASSERT((-1 & 3) == 3);   /* two's complement */
 #define LMB_OUTLINE
 #endif
 
+/* Code that is there for speed alone is left out where compilers are asked for small code. */
+#ifdef __OPTIMIZE_SIZE__
+#define LMB_SHORT_CUTS 0
+#else
+#define LMB_SHORT_CUTS 1
+#endif
+
+/* Kept out of a short loop, whose registers it would take. */
+#if LMB_SHORT_CUTS && defined(__GNUC__)
+#define LMB_APART __attribute__((noinline))
+#else
+#define LMB_APART
+#endif
+
+/* Compilers may write short loops out, where code need not be small. */
+#if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__OPTIMIZE_SIZE__)
+#define LMB_UNROLL _Pragma("GCC unroll 8")
+#else
+#define LMB_UNROLL
+#endif
+
 /* Kept out of line (wide.c), where cores with small instruction sets would take a hundred bytes for each copy. */
 unsigned lmb_clz32_search(uint32_t x);
 int64_t lmb_mul_wide(int32_t a, int32_t b);
@@ -98,8 +119,8 @@ static inline unsigned lmb_bits_wide(int64_t a, int64_t b)
 static inline int32_t lmb_add(int32_t a, int32_t b) { return a + b; }
 static inline int32_t lmb_sub(int32_t a, int32_t b) { return a - b; }
 
-/* a * b, both within int16_t: the cheap product of 8- and 16-bit cores. */
-static inline int32_t lmb_mul16(int32_t a, int32_t b) { return (int32_t)(int16_t)a * (int16_t)b; }
+/* a * b, both within int16_t: on 8- and 16-bit cores that is the cheap product, elsewhere narrowing would cost. */
+static inline int32_t lmb_mul16(int32_t a, int32_t b) { return sizeof(int) == 2 ? (int32_t)(int16_t)a * (int16_t)b : a * b; }
 
 /* a * b; must fit int32_t. */
 static inline int32_t lmb_mul(int32_t a, int32_t b) { return a * b; }

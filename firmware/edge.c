@@ -34,7 +34,7 @@ static int32_t quotient(int32_t a, uint32_t by, int32_t *rest)
 /* Rows that can be skipped at once: rows * part < 128 * 2^24 = 2^31. */
 #define SKIP_MAX 127
 
-static void skip(lmb_edge *edge, int32_t rows)
+static LMB_APART void skip(lmb_edge *edge, int32_t rows)
 {
     while (rows > 0) {
         int32_t n = lmb_min(rows, SKIP_MAX);
@@ -56,8 +56,7 @@ void lmb_edge_begin(lmb_edge *edge, const lmb_vertex *top, const lmb_vertex *bot
     if ((uint32_t)part >= (uint32_t)dy) edge->step = quotient(dx, (uint32_t)dy, &part);
     edge->part = lmb_shl(part, 4);
     /* ceil(N / modulus) = -floor(-N / modulus) of the part of N beyond whole pixels; |N| <= 15 * 2^20 + 15 * 2^20 < 2^25 */
-    left = lmb_sub(lmb_shr(left, 4), quotient(lmb_sub(0, lmb_add(lmb_mul(left & 15, dy), lmb_mul(dx, below))),
-                                              (uint32_t)edge->modulus, &edge->gap));
-    edge->x = left;
-    skip(edge, lmb_sub(row, first));
+    edge->x = lmb_sub(lmb_shr(left, 4), quotient(lmb_sub(0, lmb_add(lmb_mul(left & 15, dy), lmb_mul(dx, below))),
+                                                 (uint32_t)edge->modulus, &edge->gap));
+    if (row > first) skip(edge, lmb_sub(row, first));
 }

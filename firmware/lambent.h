@@ -87,7 +87,7 @@ LMB_STATIC_ASSERT(LMB_LIGHTS >= 1 && LMB_LIGHTS <= 4);
 #define LMB_WITH_LOBES 1 /* lobes reckoned for each pixel, W_m of paper 000 among them; without, ramps hold exact powers */
 #endif
 #ifndef LMB_WITH_LARGE
-#define LMB_WITH_LARGE 1 /* full accuracy for triangles over 512 pixels, 16 times longer than high, or bent by over 80 degrees */
+#define LMB_WITH_LARGE 1 /* full accuracy for triangles over 512 pixels, 128 times longer than high, or bent across a sliver */
 #endif
 LMB_STATIC_ASSERT((LMB_WITH_LOBES | LMB_WITH_LARGE | LMB_WITH_ARC | LMB_WITH_CORNERS | LMB_WITH_PERSPECTIVE | LMB_WITH_DEPTH |
                    1) == 1);
@@ -183,7 +183,8 @@ typedef struct lmb_mesh {
     const LMB_FLASH uint16_t *indices;  /* three per triangle, counter-clockwise seen from outside */
     uint16_t vertices;
     uint32_t triangles;
-    int8_t scale; /* a mesh unit is 2^scale units of space, LMB_SCALE_MIN to LMB_SCALE_MAX */
+    int8_t scale;  /* a mesh unit is 2^scale units of space, LMB_SCALE_MIN to LMB_SCALE_MAX */
+    uint16_t bend; /* what lmb_mesh_bend says; 0: unknown, and found for each triangle anew */
 } lmb_mesh;
 
 /* Where a mesh stands: turned first, then moved. */
@@ -201,7 +202,8 @@ typedef struct lmb_point {
 }
 #endif
 
-/* What callers own and the library fills: lmb_lobe, lmb_look, lmb_rays, lmb_arc, lmb_triangle, lmb_camera, lmb_walk. */
+/* What callers own and the library fills: lmb_lobe, lmb_look, lmb_rays, lmb_end, lmb_beam, lmb_arc, lmb_curve,
+ * lmb_triangle, lmb_camera, lmb_walk. */
 #include "state.h"
 
 #ifdef __cplusplus
@@ -222,7 +224,7 @@ int32_t lmb_half_distance_q28(lmb_vec a, lmb_vec b);
  *   x       UQ2.30 in [0.25, 1), i.e. 0x10000000...0x3fffffff; outside: unspecified value, no fault
  *   return  UQ2.30 in (1 - 2^-26, 2): it fits int32_t
  *   error   at most LMB_RSQRT_MAX_ERROR relative, either way (every argument, hosttest/test_vec.c)
- *   cost    table of 96 bytes, two steps of Newton's method in seven 32-bit products */
+ *   cost    four steps of Newton's method in 13 32-bit products; no table */
 #define LMB_RSQRT_MAX_ERROR (0.8 / (1L << 26))
 uint32_t lmb_rsqrt_q30(uint32_t x);
 
@@ -231,7 +233,7 @@ uint32_t lmb_rsqrt_q30(uint32_t x);
  *   return   unit vector, Q2.14; the zero vector gives (0, 0, 16384). Axes stay axes exactly
  *   error    of each component at most LMB_NORMALISE_MAX_ERROR, of which 0.5 / 16384 is the rounding to nearest. Beside a tie
  *            the rounding may differ between v and -v
- *   cost     lmb_rsqrt_q30 and 15 32-bit products */
+ *   cost     lmb_rsqrt_q30 and 18 32-bit products */
 #define LMB_NORMALISE_MAX_ERROR (0.501 / 16384)
 lmb_vec lmb_normalise(int32_t x, int32_t y, int32_t z);
 
@@ -260,7 +262,7 @@ lmb_matrix lmb_rotation(uint16_t x, uint16_t y, uint16_t z);
  *   return  in [2^30, 2^31); x * result = 2^(31 + *shift) (1 - e), 0 < e <= LMB_RECIPROCAL_MAX_ERROR
  *           (every argument, hosttest/test_vec.c). A power of two gives slightly less than its true 2^31, too
  *   shift   31 - lmb_clz32(x)
- *   cost    table of 128 bytes, two steps of Newton's method in four 32-bit products */
+ *   cost    three steps of Newton's method in six 32-bit products; no table */
 #define LMB_RECIPROCAL_MAX_ERROR (0.8 / (1L << 28))
 uint32_t lmb_reciprocal(uint32_t x, unsigned *shift);
 
@@ -307,7 +309,8 @@ void lmb_look_tolerance(lmb_look *look, uint16_t tolerance);
 void lmb_look_ramp(lmb_look *look);
 int32_t lmb_look_ramp_at(const lmb_look *look, unsigned i, uint32_t argument_q30);
 
-/* The rays of a look for normals of a mesh turned by rotation; NULL: normals are given in space. */
+/* The rays of a look for normals of a mesh turned by rotation; NULL: normals are given in space. To be prepared anew when the look
+ * changes, tolerance and lobe included. */
 void lmb_rays_prepare(lmb_rays *rays, const lmb_look *look, const lmb_matrix *rotation);
 
 /* ------------------------------------------------------------------------------------------- terms along a row of pixels */
@@ -349,10 +352,42 @@ void lmb_arc_start(const lmb_arc *arc, lmb_term *term, int32_t a_q30, int32_t ri
 void lmb_arc_between(lmb_arc *arc, lmb_vec from, lmb_vec to, uint32_t length, uint32_t start);
 void lmb_arc_dot(const lmb_arc *arc, lmb_term *term, lmb_vec from, lmb_vec to, lmb_vec ray, uint32_t scale);
 
-/* The squared length of a vector less one, Q4.28, exact; and the cosine of the angle between two vectors, Q2.30, from the sum of
- * their excesses: what lmb_arc_between and lmb_arc_dot are built of, for callers who keep the excess of a vertex. */
+/* The squared length of a vector less one, Q4.28, exact. */
 int32_t lmb_excess_q28(lmb_vec v);
-int32_t lmb_cosine_q30(lmb_vec a, lmb_vec b, int32_t excess_q28);
+
+/* The same for spans by the hundred: ends are prepared once a row, beams once a mesh, and each term takes a third of the time.
+ *   lmb_end_prepare   takes a normal; it is normalised if its squared length is more than 2^-11 off one
+ *   lmb_beam_prepare  takes a ray and a scale as lmb_arc_dot does. Its components are rounded, so that terms are up to 2^-15 of
+ *                     one off, but all by the same part: beam.peak_q30 is what a term is where the normal meets the ray, and peak
+ *                     less term is scale times 1 - cos as exactly as highlights want it
+ *   lmb_ends_u_q28    1 - cos of the angle between the ends, UQ4.28, for lmb_arc_prepare and lmb_curve_prepare */
+void lmb_end_prepare(lmb_end *end, lmb_vec normal);
+void lmb_beam_prepare(lmb_beam *beam, lmb_vec ray, uint32_t scale);
+int32_t lmb_ends_u_q28(const lmb_ends *ends);
+
+/* Starts the term of a beam on an arc that has been prepared for the ends; term->c is left alone. lmb_arc_beam is as exact as
+ * lmb_arc_dot. The rough one takes half of its time and is for diffuse terms: LMB_SPAN_DIFFUSE_MAX_ERROR, but not for highlights.
+ * lmb_arc_start_rough is lmb_arc_start in that manner. */
+void lmb_arc_beam(const lmb_arc *arc, lmb_term *term, const lmb_ends *ends, const lmb_beam *beam);
+void lmb_arc_beam_rough(const lmb_arc *arc, lmb_term *term, const lmb_ends *ends, const lmb_beam *beam);
+void lmb_arc_start_rough(const lmb_arc *arc, lmb_term *term, int32_t a_q30, int32_t rise_q30);
+
+/* Where the normals turn little a parabola stands for the arc, through its ends and its middle. Its terms run by lmb_plane_step,
+ * as those of LMB_SPAN_PLANE; set-up takes two thirds of an arc's time. length and start as for arcs.
+ *   u_q28   up to LMB_CURVE_U_MAX
+ *   length  up to LMB_CURVE_LENGTH_MAX
+ * lmb_curve_limit_q28 gives the u up to which lmb_curve_beam is good enough for diffuse terms and for a highlight of exponent n: with
+ * the errors that arcs have (LMB_SPAN_...). lmb_curve_beam_rough takes half of its time, needs no excess of the ends, and serves any
+ * u for diffuse terms and exponents up to LMB_CURVE_ROUGH_SHININESS: LMB_CURVE_ROUGH_MAX_ERROR, a quarter of a level of 63. */
+#define LMB_CURVE_U_MAX 0xe00000 /* 19 degrees */
+#define LMB_CURVE_LENGTH_MAX (64ul * LMB_ARC_PIXEL)
+#define LMB_CURVE_ROUGH_MAX_ERROR (0.25 / 63)
+#define LMB_CURVE_ROUGH_SHININESS 32
+int32_t lmb_curve_limit_q28(unsigned n);
+void lmb_curve_prepare(lmb_curve *curve, int32_t u_q28, uint32_t length, uint32_t start);
+void lmb_curve_start(const lmb_curve *curve, lmb_term *term, int32_t a_q30, int32_t rise_q30);
+void lmb_curve_beam(const lmb_curve *curve, lmb_term *term, const lmb_ends *ends, const lmb_beam *beam);
+void lmb_curve_beam_rough(const lmb_curve *curve, lmb_term *term, const lmb_ends *ends, const lmb_beam *beam);
 
 /* -------------------------------------------------------------------------------------------------- triangles into spans */
 
@@ -430,6 +465,10 @@ bool lmb_mesh_next(lmb_walk *walk, lmb_triangle *triangle);
 /* Projects all vertices of a mesh into vertices[0 .. mesh->vertices - 1], once a frame for any number of strips. Errors are those
  * of lmb_mesh_place and lmb_project together; of orthographic meshes with half sides of up to 375 pixels those of lmb_project. */
 void lmb_mesh_project(const lmb_mesh *mesh, const lmb_pose *pose, const lmb_camera *camera, lmb_vertex *vertices);
+
+/* How strongly a mesh is bent: 1 - cos of the largest angle between the normals of an edge, UQ1.15 rounded up, 1 to 65535. For tools,
+ * and for meshes made at run time: frames of fine meshes take some 3 % less with it, and are the same. */
+uint16_t lmb_mesh_bend(const lmb_mesh *mesh);
 
 /* Painter's order, farthest triangle first, for meshes of at most 65536 triangles drawn without a depth buffer.
  * Depths are told apart from 3 mesh units on.

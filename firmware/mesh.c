@@ -4,21 +4,47 @@
 
 #include "clip.h"
 #include "screen.h"
+#include "shade.h"
 #include "triangle.h"
 #include "vec.h"
+
+#define PLAIN_MAX (2047 * 16) /* 1/16 pixel: two products of that fit */
 
 static bool is_flat(const lmb_walk *walk) { return LMB_WITH_CORNERS && walk->look->model == LMB_MODEL_FLAT; }
 
 #if LMB_SHORT_CUTS
-/* Whether triangles are simply read, one after the other: with corners projected before, all of them on the screen. */
+
+/* Whether triangles are simply read, one after the other: with corners projected before, all of them in the window, which is so small
+ * that two products of a cross product fit. LMB_NOT_ON_SCREEN is in no window. */
 static bool is_plain(const lmb_walk *walk)
 {
-    const lmb_vertex *v = walk->vertices;
-    uint32_t left = walk->screen.mesh->vertices;
+    const lmb_window *w = walk->window;
+    const lmb_vertex *v = walk->vertices, *end = v + walk->screen.mesh->vertices;
+    const int32_t left = lmb_shl(w->left, 4), right = lmb_shl(w->right, 4), top = lmb_shl(w->top, 4),
+                  bottom = lmb_shl(w->bottom, 4);
+    bool in = right - left < PLAIN_MAX && bottom - top < PLAIN_MAX;
     if (!v || walk->order || is_flat(walk)) return false;
-    for (; left > 0 && v->x != LMB_NOT_ON_SCREEN; left--) v++;
-    return left == 0;
+    for (; in && v != end; v++) in = v->x >= left && v->x <= right && v->y >= top && v->y <= bottom;
+    return in;
 }
+
+/* The next triangle of such a mesh. */
+static bool next_plain(lmb_walk *walk, lmb_triangle *triangle)
+{
+    const LMB_FLASH uint16_t *index = walk->plain, *const end = walk->end;
+    const lmb_vertex *const v = walk->vertices;
+    triangle->inside = true;
+    while (index != end) {
+        const lmb_vertex *a = &v[*index++], *b = &v[*index++], *c = &v[*index++];
+        const int32_t x = a->x, y = a->y;
+        if (lmb_mul(lmb_sub(b->x, x), lmb_sub(c->y, y)) >= lmb_mul(lmb_sub(c->x, x), lmb_sub(b->y, y))) continue;
+        walk->plain = index;
+        if (lmb_triangle_front(triangle, a, b, c, walk->window)) return true;
+    }
+    walk->plain = end;
+    return false;
+}
+
 #endif
 
 void lmb_mesh_begin(lmb_walk *walk, const lmb_mesh *mesh, const lmb_pose *pose, const lmb_camera *camera, const lmb_look *look,
@@ -32,6 +58,7 @@ void lmb_mesh_begin(lmb_walk *walk, const lmb_mesh *mesh, const lmb_pose *pose, 
     walk->order = order;
     if (LMB_WITH_PERSPECTIVE) walk->corners = walk->fan = 0;
     lmb_rays_prepare(&walk->rays, look, &pose->rotation);
+    if (mesh->bend) walk->rays.bend_q28 = lmb_shade_bend(mesh->bend);
     walk->screen.mesh = mesh;
     walk->screen.pose = pose;
     walk->screen.camera = camera;
@@ -132,14 +159,23 @@ bool lmb_mesh_next(lmb_walk *walk, lmb_triangle *triangle)
     triangle->look = walk->look;
     triangle->rays = &walk->rays;
 #if LMB_SHORT_CUTS
-    while (walk->plain != walk->end) {
-        const LMB_FLASH uint16_t *index = walk->plain;
-        const lmb_vertex *v = walk->vertices;
-        walk->plain = index + 3;
-        if (lmb_triangle_seen(triangle, &v[index[0]], &v[index[1]], &v[index[2]], walk->window)) return true;
-    }
+    if (next_plain(walk, triangle)) return true;
 #endif
     return next_of_any(walk, triangle);
+}
+
+uint16_t lmb_mesh_bend(const lmb_mesh *mesh)
+{
+    const LMB_FLASH uint16_t *index = mesh->indices, *end = index + (size_t)3 * mesh->triangles;
+    int32_t most = 0;
+    unsigned i;
+    for (; index != end; index += 3) {
+        for (i = 0; i < 3; i++) {
+            const lmb_vec a = mesh->normals[index[i]], b = mesh->normals[index[i == 2 ? 0 : i + 1]];
+            most = lmb_max(most, lmb_vec_half_distance_q28(&a, &b));
+        }
+    }
+    return (uint16_t)lmb_max(1, lmb_min(65535, lmb_add(lmb_shr(most, 13), 1)));
 }
 
 /* How near a triangle is: the sum of its corners along the view axis, in mesh units; the pose's place is common to all. */

@@ -15,10 +15,11 @@
  * Linear part: numerators a px + b py are exact integers, multiplied whole by one reciprocal of the area, which dx and dy share.
  * An error of such a factor scales the function and does not tear it, however long and thin the triangle is. (Rounded gradients of
  * lambda were tried first: 99 levels in the worst sliver.)
- * Quadratic part: it is small, so rounded gradients, 15 bits with one exponent, do for all but thin triangles. With bulges q it is
- * (g1.p)(w.p)/2 + (g2.p)(u.p)/2, w = q0 g1 + q2 g2, u = q1 g2 + q2 g1, and the rounding of w and u grows no faster than the triangle's
- * length over its height. Corner 0 is where l1 = l2 = 0: value and gradient of this part are zero there, and at the anchor, within a
- * pixel of it, they follow from the second differences. Thin, large and strongly bent triangles take lmb_plane_exact.
+ * Quadratic part: it is small, so rounded gradients, 15 bits with one exponent, do unless the triangle is as thin as it is bent. With
+ * bulges q it is (g1.p)(w.p)/2 + (g2.p)(u.p)/2, w = q0 g1 + q2 g2, u = q1 g2 + q2 g1, and the rounding of w and u grows no faster than
+ * the triangle's length over its height. Corner 0 is where l1 = l2 = 0: value and gradient of this part are zero there, and at the
+ * anchor, within a pixel of it, they follow from the second differences. Large and very thin triangles, and strong curves across thin
+ * ones, take lmb_plane_exact.
  */
 #include "plane.h"
 
@@ -26,8 +27,10 @@
 #include "step.h"
 
 #define NEAR_BITS 13                        /* 512 pixels in 1/16 pixel */
-#define ANCHOR_MAX 1023                     /* pixels */
-#define THIN_BITS 4                         /* triangles some 16 times longer than high are thin */
+#define ANCHOR_MAX 255                      /* pixels: within most displays */
+#define BULGE_BITS 27                       /* no bulge reaches a half, Q4.28 */
+#define ROUGH_BITS 2                        /* length over height times the deepest bulge: up to 4 gradients are exact enough */
+#define LONG_BITS 7                         /* 128 times: whole products for all their planes */
 #define FLAT_BITS (LMB_WITH_LARGE ? 12 : 8) /* 4096 times: they have no curve, as its rounding would exceed it */
 
 unsigned lmb_bits_of(const int32_t *values, unsigned count)
@@ -43,17 +46,6 @@ unsigned lmb_fit(int32_t *values, unsigned count, unsigned bits)
     unsigned size = lmb_bits_of(values, count), drop = size > bits ? size - bits : 0, i;
     for (i = 0; i < count; i++) values[i] = lmb_shr(values[i], drop);
     return drop;
-}
-
-int32_t lmb_plane_join(int32_t high, int32_t low, int32_t shift)
-{
-    if (shift >= 16) {
-        int32_t sum = lmb_add_wrap(high, lmb_shr(low, 16));
-        return lmb_shr(sum, (unsigned)lmb_min(shift - 16, 31));
-    }
-    if (shift >= 0) return lmb_add_wrap(lmb_shl_wrap(high, 16u - (unsigned)shift), lmb_shr(low, (unsigned)shift));
-    if (shift <= -32) return 0;
-    return lmb_shl_wrap(lmb_add_wrap(lmb_shl_wrap(high, 16), low), (unsigned)-shift);
 }
 
 /* The area, the cross product of the steps, and its reciprocal as 16 bits; 1 for none or less. */
@@ -83,53 +75,32 @@ static int32_t anchor(const lmb_lattice *l, int32_t corner, int32_t pixel, int32
     return pixel;
 }
 
-/* step times the reciprocal, at most 2^(bits + 16), to nearest. */
-static LMB_OUTLINE int16_t gradient(int32_t step, const lmb_lattice *l)
-{
-    int32_t product = lmb_mul(step, (int32_t)l->reciprocal_q16);
-    return (int16_t)lmb_min(lmb_shr(lmb_add(product, lmb_shl(1, l->bits)), l->bits + 1), 32767);
-}
-
-void lmb_lattice_begin(lmb_lattice *lattice, const lmb_vertex *const corner[3], bool curved, bool bent)
+void lmb_lattice_begin(lmb_lattice *lattice, const lmb_vertex *const corner[3])
 {
     lattice->corner = corner;
-    lattice->ready = false;
-    lattice->curved = curved;
-    lattice->rough = bent;
+    lattice->ready = lattice->graded = lattice->rough = false;
 }
 
-static void lattice_prepare(lmb_lattice *l)
+static LMB_APART void lattice_prepare(lmb_lattice *l)
 {
-    const lmb_vertex *const *corner = l->corner;
-    int32_t x0 = corner[0]->x, y0 = corner[0]->y;
+    const lmb_vertex *top = l->corner[0], *next = l->corner[1], *last = l->corner[2];
+    int32_t x0 = top->x, y0 = top->y;
     unsigned down = 0;
     l->ready = true;
-    l->step[0] = lmb_sub(corner[2]->y, y0);
-    l->step[1] = lmb_sub(y0, corner[1]->y);
-    l->step[2] = lmb_sub(x0, corner[2]->x);
-    l->step[3] = lmb_sub(corner[1]->x, x0);
+    l->step[0] = lmb_sub(last->y, y0);
+    l->step[1] = lmb_sub(y0, next->y);
+    l->step[2] = lmb_sub(x0, last->x);
+    l->step[3] = lmb_sub(next->x, x0);
     if (!LMB_WITH_LARGE) down = lmb_fit(l->step, 4, NEAR_BITS); /* a coarser grid */
     l->bits = lmb_bits_of(l->step, 4);
     l->large = LMB_WITH_LARGE && l->bits > NEAR_BITS;
     lattice_area(l);
     l->column = anchor(l, x0, lmb_shr(x0, 4), &l->offset[0]);
     l->row = anchor(l, y0, lmb_row_at(y0), &l->offset[1]);
-    l->curved = l->curved && l->shift + FLAT_BITS >= 2 * l->bits;
-    l->rough = l->rough || l->large || l->shift + THIN_BITS < 2 * l->bits;
-    l->exact = LMB_WITH_LARGE && (l->large || (l->curved && l->rough));
-    if (l->curved && !l->exact) {
-        l->x[0] = gradient(l->step[0], l);
-        l->x[1] = gradient(l->step[1], l);
-        l->y[0] = gradient(l->step[2], l);
-        l->y[1] = gradient(l->step[3], l);
-    }
+    l->flat = l->shift + FLAT_BITS < 2 * l->bits;
+    l->exact = LMB_WITH_LARGE && (l->large || l->shift + LONG_BITS < 2 * l->bits);
+    l->rough = l->large;
     l->shift += down; /* p / 2^down over area / 4^down is p over area times 2^down */
-}
-
-/* a b + c d, over 2^15 and rounded: |.| < 2^14.4 for what plane_curve has. */
-static LMB_OUTLINE int16_t mix(int16_t a, int16_t b, int16_t c, int16_t d)
-{
-    return (int16_t)lmb_shr(lmb_add(lmb_add(lmb_mul16(a, b), lmb_mul16(c, d)), 0x4000), 15);
 }
 
 /* x / 2^shift, shift of any sign, modulo 2^32. */
@@ -139,49 +110,76 @@ static LMB_OUTLINE int32_t place(int32_t x, int32_t shift)
     return shift > -32 ? lmb_shl_wrap(x, (unsigned)-shift) : 0;
 }
 
-/* A bulge times 2^(up - 13), to nearest. */
-static LMB_OUTLINE int16_t raised(int32_t bulge, unsigned up) { return (int16_t)lmb_shr_round(lmb_shl(bulge, up), 13); }
+/* The gradients as mantissas: steps times the reciprocal, at most 2^(bits + 16), to nearest. */
+static void grade(lmb_lattice *l)
+{
+    unsigned i;
+    l->graded = true;
+    for (i = 0; i < 4; i++) {
+        int32_t product = lmb_add(lmb_mul(l->step[i], (int32_t)l->reciprocal_q16), lmb_shl(1, l->bits));
+        l->gradient[i] = lmb_min(lmb_shr(product, l->bits + 1), 32767);
+    }
+}
+
+/* (a b + c d) / 2^15, to nearest: |.| < 2^14.4 for what plane_curve has. */
+static LMB_OUTLINE int32_t mix(int32_t a, int32_t b, int32_t c, int32_t d)
+{
+    return lmb_shr(lmb_add(lmb_add(lmb_mul16(a, b), lmb_mul16(c, d)), 0x4000), 15);
+}
 
 /* Adds the quadratic part. With bulges raised to q in units of 2^-(15 + up), |q| <= 2^13 and 3 * 2^12, w and u lie within 2^14.4 and a
  * second difference m = g1 w + g2 u within 2^30.4; it is m 2^(2 bits - 2 shift + 11 - up) in Q2.30. At the offset o the first
  * differences of half a pixel on are (xx (o + 8) + xy o') / 16, the value (xx o o / 2 + xy o o' + yy o' o' / 2) / 256. */
-static void plane_curve(lmb_plane *plane, const lmb_lattice *l, const lmb_net *net)
+static LMB_APART void plane_curve(lmb_plane *plane, lmb_lattice *l, const lmb_net *net, unsigned size)
 {
-    const unsigned up = (unsigned)lmb_max(0, 26 - (int32_t)lmb_bits_of(net->bulge, 3));
-    const int32_t shift = lmb_mul((int32_t)l->shift - (int32_t)l->bits, 2) - 11 + (int32_t)up;
-    const int16_t b = raised(net->bulge[0], up), c = raised(net->bulge[2], up), minus_b = (int16_t)-b, minus_c = (int16_t)-c;
-    const int16_t q = (int16_t)lmb_shr(lmb_sub(lmb_sub(raised(net->bulge[1], up), b), c), 1);
-    const int16_t x1 = l->x[0], x2 = l->x[1], y1 = l->y[0], y2 = l->y[1];
-    const int16_t wx = mix(q, x2, minus_b, x1), wy = mix(q, y2, minus_b, y1);
-    const int16_t ux = mix(q, x1, minus_c, x2), uy = mix(q, y1, minus_c, y2);
-    int32_t xx = lmb_add(lmb_mul16(x1, wx), lmb_mul16(x2, ux)), yy = lmb_add(lmb_mul16(y1, wy), lmb_mul16(y2, uy));
-    int32_t xy = lmb_add(lmb_shr(lmb_add(lmb_mul16(x1, wy), lmb_mul16(x2, uy)), 1),
-                         lmb_shr(lmb_add(lmb_mul16(y1, wx), lmb_mul16(y2, ux)), 1));
-    const int32_t x = l->offset[0], y = l->offset[1];
-    plane->dxx = place(xx, shift);
+    const unsigned up = size < BULGE_BITS ? BULGE_BITS - size : 0;
+    const int32_t shift = lmb_mul((int32_t)l->shift - (int32_t)l->bits, 2) - 12 + (int32_t)up, x = l->offset[0], y = l->offset[1];
+    int32_t q[3], w[2], u[2], xx, xy, yy, sum;
+    unsigned i;
+    if (!l->graded) grade(l);
+    for (i = 0; i < 3; i++) q[i] = lmb_shr_round(lmb_shl(net->bulge[i], up), 14);
+    q[1] = lmb_shr(lmb_sub(lmb_sub(q[1], q[0]), q[2]), 1);
+    for (i = 0; i < 2; i++) {
+        const int32_t g1 = l->gradient[2 * i], g2 = l->gradient[2 * i + 1];
+        w[i] = mix(q[1], g2, lmb_sub(0, q[0]), g1);
+        u[i] = mix(q[1], g1, lmb_sub(0, q[2]), g2);
+    }
+    xx = lmb_add(lmb_mul16(l->gradient[0], w[0]), lmb_mul16(l->gradient[1], u[0]));
+    yy = lmb_add(lmb_mul16(l->gradient[2], w[1]), lmb_mul16(l->gradient[3], u[1]));
+    xy = lmb_add(lmb_mul16(l->gradient[0], w[1]), lmb_mul16(l->gradient[1], u[1]));
+    sum = lmb_add(lmb_mul16(l->gradient[2], w[0]), lmb_mul16(l->gradient[3], u[0])); /* the same but for rounding */
+    xy = lmb_add(lmb_shr(xy, 1), lmb_shr(sum, 1));
+    plane->dxx = lmb_even(place(xx, shift));
     plane->dxy = place(xy, shift);
     plane->dyy = place(yy, shift);
     xx = lmb_shr(xx, 5);
     xy = lmb_shr(xy, 5);
     yy = lmb_shr(yy, 5);
-    plane->dx = lmb_add_wrap(plane->dx, place(lmb_add(lmb_mul(xx, lmb_add(x, 8)), lmb_mul(xy, y)), shift - 1));
-    plane->dy = lmb_add_wrap(plane->dy, place(lmb_add(lmb_mul(yy, lmb_add(y, 8)), lmb_mul(xy, x)), shift - 1));
-    xx = lmb_mul(lmb_add(lmb_mul(lmb_shr(xx, 4), x), lmb_mul(lmb_shr(xy, 3), y)), x);
-    yy = lmb_mul(lmb_mul(lmb_shr(yy, 4), y), y);
-    plane->f = lmb_add_wrap(plane->f, place(lmb_add(xx, yy), shift));
+    sum = lmb_add(lmb_mul(xx, lmb_add(x, 8)), lmb_mul(xy, y));
+    plane->dx = lmb_add_wrap(plane->dx, place(sum, shift - 1));
+    sum = lmb_add(lmb_mul(yy, lmb_add(y, 8)), lmb_mul(xy, x));
+    plane->dy = lmb_add_wrap(plane->dy, place(sum, shift - 1));
+    sum = lmb_mul(lmb_add(lmb_mul(lmb_shr(xx, 4), x), lmb_mul(lmb_shr(xy, 3), y)), x);
+    sum = lmb_add(sum, lmb_mul(lmb_mul(lmb_shr(yy, 4), y), y));
+    plane->f = lmb_add_wrap(plane->f, place(sum, shift));
 }
 
-/* Rises are below 5.5 in Q4.28, under 2^30.5: over 2^(bits + 1) and times steps two of them stay below 2^30.5. */
+/* Rises are below 5.5 in Q4.28, under 2^30.5: over 2^(bits + 1) and times steps two of them stay below 2^30.5, and so does that times
+ * the reciprocal over 2^16. What that drops is 2^-27 of the rise times length over height, all along the triangle. */
 void lmb_plane_begin(lmb_plane *plane, lmb_lattice *l, const lmb_net *net)
 {
     int32_t a, b, x, y, shift;
-    bool curved;
+    unsigned size = 0;
+    bool curved, rough;
     if (!l->ready) lattice_prepare(l);
-    if (LMB_WITH_LARGE && l->exact) {
+    curved = net->curved && !l->flat;
+    if (curved) size = lmb_bits_of(net->bulge, 3);
+    rough = size + 2 * l->bits > l->shift + 28 + ROUGH_BITS;
+    l->rough = l->rough || rough;
+    if (LMB_WITH_LARGE && (l->exact || rough)) {
         lmb_plane_exact(plane, l, net);
         return;
     }
-    curved = l->curved && net->curved;
     a = lmb_sub(net->value[1], net->value[0]);
     b = lmb_sub(net->value[2], net->value[0]);
     if (curved) {
@@ -190,22 +188,25 @@ void lmb_plane_begin(lmb_plane *plane, lmb_lattice *l, const lmb_net *net)
     }
     a = lmb_shr_round(a, l->bits + 1);
     b = lmb_shr_round(b, l->bits + 1);
-    x = lmb_add(lmb_mul(a, l->step[0]), lmb_mul(b, l->step[1]));
-    y = lmb_add(lmb_mul(a, l->step[2]), lmb_mul(b, l->step[3]));
+    x = lmb_mul_q16(lmb_add(lmb_mul(a, l->step[0]), lmb_mul(b, l->step[1])), l->reciprocal_q16);
+    y = lmb_mul_q16(lmb_add(lmb_mul(a, l->step[2]), lmb_mul(b, l->step[3])), l->reciprocal_q16);
     /* per pixel and in Q2.30: numerator * 16 * reciprocal_q16 * 2^-(16 + shift) * 2^(30 - 28 + bits + 1) */
-    shift = (int32_t)l->shift + 9 - (int32_t)l->bits;
-    plane->dx = lmb_plane_over_area(x, l->reciprocal_q16, shift);
-    plane->dy = lmb_plane_over_area(y, l->reciprocal_q16, shift);
-    /* x and y times the offset over 16 lie between corner 0 and the anchor */
-    x = lmb_add(lmb_mul(lmb_shr(x, 4), l->offset[0]), lmb_mul(lmb_shr(y, 4), l->offset[1]));
-    plane->f = lmb_add_wrap(lmb_shl_wrap(net->value[0], 2), lmb_plane_over_area(x, l->reciprocal_q16, shift));
+    shift = (int32_t)l->shift - 7 - (int32_t)l->bits;
+    plane->dx = place(x, shift);
+    plane->dy = place(y, shift);
+    /* times the offset over 16: between corner 0 and the anchor */
+    x = lmb_add(lmb_mul(lmb_shr(x, 5), l->offset[0]), lmb_mul(lmb_shr(y, 5), l->offset[1]));
+    plane->f = lmb_add_wrap(lmb_shl_wrap(net->value[0], 2), place(x, shift - 1));
     plane->dxx = plane->dxy = plane->dyy = 0;
-    if (curved) plane_curve(plane, l, net);
+    if (curved) plane_curve(plane, l, net, size);
 }
+
+/* n (n - 1) / 2: even before it is halved, and below 2^32. |n| < 2^16. */
+static int32_t pairs(int32_t n) { return lmb_signed(((uint32_t)n * ((uint32_t)n - 1u)) >> 1); }
 
 void lmb_plane_down(lmb_plane *p, int32_t rows)
 {
-    p->f = lmb_add_wrap(p->f, lmb_add_wrap(lmb_mul_wrap(rows, p->dy), lmb_mul_wrap(lmb_pairs(rows), p->dyy)));
+    p->f = lmb_add_wrap(p->f, lmb_add_wrap(lmb_mul_wrap(rows, p->dy), lmb_mul_wrap(pairs(rows), p->dyy)));
     p->dx = lmb_add_wrap(p->dx, lmb_mul_wrap(rows, p->dxy));
     p->dy = lmb_add_wrap(p->dy, lmb_mul_wrap(rows, p->dyy));
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Quadratics over triangles that are large, thin or strongly bent: as plane.c has them, with whole numerators in the quadratic part
+/* Quadratics over triangles that are large or very thin, or thin and bent: as plane.c has them, with whole numerators in the quadratic part
  * as well, so that nothing tears however long and thin the triangle is.
  *
  * Numerators are products of up to 64 bits; only what multiplies the whole is rounded: the rises and bulges (14 bits and more)
@@ -20,6 +20,26 @@
 typedef struct curvature {
     int32_t q[3], shift;
 } curvature;
+
+/* (high * 2^16 + low) / 2^shift, floored, modulo 2^32. */
+static int32_t join(int32_t high, int32_t low, int32_t shift)
+{
+    if (shift >= 16) {
+        int32_t sum = lmb_add_wrap(high, lmb_shr(low, 16));
+        return lmb_shr(sum, (unsigned)lmb_min(shift - 16, 31));
+    }
+    if (shift >= 0) return lmb_add_wrap(lmb_shl_wrap(high, 16u - (unsigned)shift), lmb_shr(low, (unsigned)shift));
+    if (shift <= -32) return 0;
+    return lmb_shl_wrap(lmb_add_wrap(lmb_shl_wrap(high, 16), low), (unsigned)-shift);
+}
+
+/* numerator times the reciprocal of the area, over 2^shift, floored, modulo 2^32. Its low 16 bits go first. */
+static int32_t over_area(int32_t numerator, uint32_t reciprocal_q16, int32_t shift)
+{
+    uint32_t low = lmb_mulu((uint32_t)numerator & 0xffffu, reciprocal_q16);
+    int32_t high = lmb_add_wrap(lmb_mul(lmb_shr(numerator, 16), (int32_t)reciprocal_q16), (int32_t)(low >> 16));
+    return join(high, (int32_t)(low & 0xffffu), shift);
+}
 
 /* Two numbers of 64 bits, shifted down until they lie within 2^bits; returns how far. */
 static unsigned wide_pair(int32_t out[2], int64_t a, int64_t b, unsigned bits)
@@ -51,7 +71,7 @@ static int32_t form(const curvature *c, const int32_t u[2], const int32_t v[2], 
     } else if (shift > 16) {
         high = lmb_add_wrap(high, lmb_shl_wrap(1, (unsigned)lmb_min(shift - 17, 31)));
     }
-    return lmb_plane_join(high, low, shift);
+    return join(high, low, shift);
 }
 
 /* Adds the quadratic part. Bulges are below one in magnitude, so |q| < 2^30 in units of 4 * 2^-28. In each direction the first
@@ -80,7 +100,7 @@ static void exact_curve(lmb_plane *plane, const lmb_lattice *l, const lmb_net *n
     plane->f = lmb_add_wrap(plane->f, form(&c, at, at, 2 * down));
     plane->dx = lmb_add_wrap(plane->dx, form(&c, on[0], x, 5 + down));
     plane->dy = lmb_add_wrap(plane->dy, form(&c, on[1], y, 5 + down));
-    plane->dxx = form(&c, x, x, 9);
+    plane->dxx = lmb_shl_wrap(form(&c, x, x, 8), 1);
     plane->dyy = form(&c, y, y, 9);
     plane->dxy = form(&c, x, y, 9);
 }
@@ -88,22 +108,23 @@ static void exact_curve(lmb_plane *plane, const lmb_lattice *l, const lmb_net *n
 void lmb_plane_exact(lmb_plane *plane, const lmb_lattice *l, const lmb_net *net)
 {
     const int32_t *step = l->step;
+    const bool curved = net->curved && !l->flat;
     int32_t rise[2], n[2], offset, shift, far;
     unsigned drop, i;
     for (i = 0; i < 2; i++) {
         rise[i] = lmb_sub(net->value[1 + i], net->value[0]);
-        if (l->curved && net->curved) rise[i] = lmb_add(rise[i], lmb_shl(net->bulge[2 * i], 2));
+        if (curved) rise[i] = lmb_add(rise[i], lmb_shl(net->bulge[2 * i], 2));
     }
     drop = wide_pair(n, lmb_dot_wide(rise[0], step[0], rise[1], step[1]), lmb_dot_wide(rise[0], step[2], rise[1], step[3]), 31);
     /* per pixel and in Q2.30: numerator * 16 * reciprocal_q16 * 2^-(16 + shift) * 2^(30 - 28 + drop) */
     shift = (int32_t)l->shift + 10 - (int32_t)drop;
     far = lmb_max(0, (int32_t)lmb_bits_of(l->offset, 2) - 3);
     offset = lmb_add(lmb_mul_shr(n[0], l->offset[0], (unsigned)(4 + far)), lmb_mul_shr(n[1], l->offset[1], (unsigned)(4 + far)));
-    plane->f = lmb_add_wrap(lmb_shl_wrap(net->value[0], 2), lmb_plane_over_area(offset, l->reciprocal_q16, shift - far));
-    plane->dx = lmb_plane_over_area(n[0], l->reciprocal_q16, shift);
-    plane->dy = lmb_plane_over_area(n[1], l->reciprocal_q16, shift);
+    plane->f = lmb_add_wrap(lmb_shl_wrap(net->value[0], 2), over_area(offset, l->reciprocal_q16, shift - far));
+    plane->dx = over_area(n[0], l->reciprocal_q16, shift);
+    plane->dy = over_area(n[1], l->reciprocal_q16, shift);
     plane->dxx = plane->dxy = plane->dyy = 0;
-    if (l->curved && net->curved) exact_curve(plane, l, net);
+    if (curved) exact_curve(plane, l, net);
 }
 
 #else

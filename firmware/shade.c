@@ -19,8 +19,9 @@
 
 /* P - 1 = 1 / sqrt(1 - u/2) - 1, Q4.28, by Taylor's series u/4 + 3/32 u^2 + 5/128 u^3 + 35/2048 u^4: two terms for u up to 1/16 (20
  * degrees), four up to 1/4 (41 degrees), short of the truth by at most 6.2e-4 and 1.3e-4 of it; above by reciprocal square root. u
- * beyond LMB_ARC_U_MAX counts as that. Without the exact planes, which alone take more, the series serves up to 3/4, where it is
- * LMB_BULGE_MAX. */
+ * beyond LMB_ARC_U_MAX counts as that. Without the exact planes the series serves up to 3/4, where it is
+ * BULGE_MAX. */
+#define BULGE_MAX (ONE_Q28 / 4)
 static int32_t bulge_factor_q28(int32_t u_q28)
 {
     const int32_t most = LMB_WITH_LARGE ? ONE_Q28 / 4 : ONE_Q28 / 4 * 3;
@@ -37,51 +38,82 @@ static int32_t bulge_factor_q28(int32_t u_q28)
         int32_t cube_q30 = lmb_mul(lmb_shr(square_q30, 15), u_q15);
         factor = lmb_add(factor, lmb_shr(lmb_mul(lmb_shr(cube_q30, 15), lmb_add(81920, lmb_mul(u_q15, 35) >> 5)), 8));
     }
-    return LMB_WITH_LARGE ? factor : lmb_min(factor, LMB_BULGE_MAX);
+    return LMB_WITH_LARGE ? factor : lmb_min(factor, BULGE_MAX);
 }
 
 /* a Q4.28 value times another in [-1, 1] of which 15 bits matter. */
 static int32_t times_q28(int32_t a, int32_t b_q28) { return lmb_mul_q15(a, lmb_min(lmb_shr(b_q28, 13), 32767)); }
 
-/* Between what a function over the triangle stays: its Bezier control values. */
-typedef struct range {
-    int32_t low, high;
-} range;
-
-static void range_take(range *r, int32_t value)
-{
-    r->low = lmb_min(r->low, value);
-    r->high = lmb_max(r->high, value);
-}
-
-/* The range of the three values. */
-static range range_of(const int32_t value[3])
-{
-    range r = {value[0], value[0]};
-    range_take(&r, value[1]);
-    range_take(&r, value[2]);
-    return r;
-}
-
-/* The bulges of the edges of a triangle, where there are any: factors, and the largest. */
+/* The bulges of the edges of a triangle: factors, and the largest, or what none of a mesh exceeds until they are set. */
 typedef struct bend {
     int32_t factor[3], most;
+    bool set;
 } bend;
 
-/* The bulge of one edge of a net; mean - pull is what bulges. Widens the range. */
-static int32_t edge_bulge(int32_t from, int32_t to, int32_t factor, int32_t pull, range *r)
+/* lmb_half_distance_q28, in line. */
+static inline int32_t distance_q28(const lmb_vec *a, const lmb_vec *b)
 {
-    int32_t mean = lmb_shr(lmb_add(from, to), 1), bulge = times_q28(factor, lmb_sub(mean, pull));
-    range_take(r, lmb_add(mean, lmb_shl(bulge, 1)));
-    return bulge;
+    const int32_t x = lmb_sub(a->x, b->x), y = lmb_sub(a->y, b->y), z = lmb_sub(a->z, b->z);
+    return lmb_shr(lmb_add(lmb_add(lmb_mul(x, x), lmb_mul(y, y)), lmb_mul(z, z)), 1);
 }
 
-/* Edge i goes from corner i to the next. */
-static void net_bulge(lmb_net *net, const bend *b, int32_t pull, range *r)
+static int32_t bend_of(const lmb_vertex *a, const lmb_vertex *b)
 {
-    net->bulge[0] = edge_bulge(net->value[0], net->value[1], b->factor[0], pull, r);
-    net->bulge[1] = edge_bulge(net->value[1], net->value[2], b->factor[1], pull, r);
-    net->bulge[2] = edge_bulge(net->value[2], net->value[0], b->factor[2], pull, r);
+    return bulge_factor_q28(distance_q28(&a->normal, &b->normal));
+}
+
+/* The bends of a triangle's edges: from corner i to the next. */
+static LMB_APART void bends_set(bend *b, const lmb_vertex *const corner[3])
+{
+    b->set = true;
+    b->factor[0] = bend_of(corner[0], corner[1]);
+    b->factor[1] = bend_of(corner[1], corner[2]);
+    b->factor[2] = bend_of(corner[2], corner[0]);
+    b->most = lmb_max(lmb_max(b->factor[0], b->factor[1]), b->factor[2]);
+}
+
+static inline int32_t dot_q28(const lmb_vec *a, const lmb_vec *b)
+{
+    return lmb_add(lmb_add(lmb_mul16(a->x, b->x), lmb_mul16(a->y, b->y)), lmb_mul16(a->z, b->z));
+}
+
+/* N.R at the corners. */
+static void dots_set(lmb_net *net, const lmb_vertex *const corner[3], const lmb_vec *ray)
+{
+    unsigned i;
+    for (i = 0; i < 3; i++) net->value[i] = dot_q28(&corner[i]->normal, ray);
+}
+
+/* 1 - N.R at the corners. */
+static void distances_set(lmb_net *net, const lmb_vertex *const corner[3], const lmb_vec *ray)
+{
+    unsigned i;
+    for (i = 0; i < 3; i++) net->value[i] = distance_q28(&corner[i]->normal, ray);
+}
+
+static void net_range(lmb_net *net)
+{
+    const int32_t *v = net->value;
+    net->low = lmb_min(lmb_min(v[0], v[1]), v[2]);
+    net->high = lmb_max(lmb_max(v[0], v[1]), v[2]);
+}
+
+/* Adds bulges, unless the triangle's own bends are within straight: what bulges on an edge is its mean less pull. Edge i goes from
+ * corner i to the next. */
+static LMB_APART void net_bend(lmb_net *net, const lmb_vertex *const corner[3], bend *b, int32_t straight_q28, int32_t pull)
+{
+    unsigned i, next = 1;
+    if (!b->set) bends_set(b, corner);
+    net->curved = b->most > straight_q28;
+    if (!net->curved) return;
+    for (i = 0; i < 3; i++) {
+        const int32_t mean = lmb_shr(lmb_add(net->value[i], net->value[next]), 1);
+        const int32_t bulge = times_q28(b->factor[i], lmb_sub(mean, pull)), control = lmb_add(mean, lmb_shl(bulge, 1));
+        net->bulge[i] = bulge;
+        net->low = lmb_min(net->low, control);
+        net->high = lmb_max(net->high, control);
+        next = next == 2 ? 0 : next + 1;
+    }
 }
 
 /* x times slope, UQ0.16, over 2^down. */
@@ -92,8 +124,8 @@ static int32_t scaled(int32_t x, uint32_t slope_q16, int32_t down)
 }
 
 /* Turns a net of v, none of it above high, into one of the argument / 2^exponent, top - slope v, with the exponent that keeps it
- * inside (-2, 2); *low into what the argument does not pass. Returns the exponent. */
-static unsigned net_argument(lmb_net *net, const lmb_line *line, int32_t high, int32_t *low)
+ * inside (-2, 2). Returns the exponent; net->low becomes what the argument does not pass. */
+static unsigned net_argument(lmb_net *net, const lmb_line *line, int32_t high)
 {
     /* slope v = product * 2^(shift + 1) must stay under 2, 2^29 */
     int32_t up = line->shift + 1, most = lmb_mul_q16(lmb_max(high, 0), line->slope), down, top;
@@ -105,86 +137,45 @@ static unsigned net_argument(lmb_net *net, const lmb_line *line, int32_t high, i
         net->value[i] = lmb_sub(top, scaled(net->value[i], line->slope, down));
         if (net->curved) net->bulge[i] = lmb_sub(0, scaled(net->bulge[i], line->slope, down));
     }
-    *low = lmb_sub(top, scaled(*low, line->slope, down));
+    net->low = lmb_sub(top, scaled(net->low, line->slope, down));
     return e;
 }
 
-static void dots_q28(int32_t out[3], const lmb_vertex *const corner[3], const lmb_vec *ray)
-{
-    const int32_t x = ray->x, y = ray->y, z = ray->z;
-    unsigned i;
-    for (i = 0; i < 3; i++) {
-        const lmb_vec *n = &corner[i]->normal;
-        out[i] = lmb_add(lmb_add(lmb_mul16(n->x, x), lmb_mul16(n->y, y)), lmb_mul16(n->z, z));
-    }
-}
-
-/* lmb_half_distance_q28, in line. */
-static inline int32_t distance_q28(const lmb_vec *a, const lmb_vec *b)
-{
-    const int32_t x = lmb_sub(a->x, b->x), y = lmb_sub(a->y, b->y), z = lmb_sub(a->z, b->z);
-    return lmb_shr(lmb_add(lmb_add(lmb_mul(x, x), lmb_mul(y, y)), lmb_mul(z, z)), 1);
-}
-
-static void distances_q28(int32_t out[3], const lmb_vertex *const corner[3], const lmb_vec *ray)
-{
-    unsigned i;
-    for (i = 0; i < 3; i++) out[i] = distance_q28(&corner[i]->normal, ray);
-}
-
 /* N.L of light i. Where all corners are unlit the triangle is: bulges have the sign of what bulges. */
-static void shade_diffuse(lmb_triangle *t, lmb_lattice *lattice, unsigned i, const bend *b)
+static void shade_diffuse(lmb_triangle *t, lmb_lattice *lattice, unsigned i, bend *b)
 {
+    const int32_t straight_q28 = t->look->light[i].straight_q28;
     lmb_net net;
-    range r;
-    dots_q28(net.value, lattice->corner, &t->rays->light[i].direction);
-    r = range_of(net.value);
-    if (r.high <= 0) return;
-    net.curved = b->most > t->look->light[i].straight_q28;
-    if (net.curved) net_bulge(&net, b, 0, &r);
+    dots_set(&net, lattice->corner, &t->rays->light[i].direction);
+    net_range(&net);
+    if (net.high <= 0) return;
+    net.curved = false;
+    if (b->most > straight_q28) net_bend(&net, lattice->corner, b, straight_q28, 0);
     t->diffuse_on = (uint8_t)(t->diffuse_on | 1u << i);
     if (i == 0) {
-        t->low = r.low;
-        t->high = r.high;
+        t->low = net.low;
+        t->high = net.high;
     }
     lmb_plane_begin(&t->u.light[i].diffuse, lattice, &net);
 }
 
 /* The highlight's argument of light i. A triangle is dark if no control value reaches where the highlight begins to be seen; a
  * bulge is no deeper than its factor. */
-static void shade_specular(lmb_triangle *t, lmb_lattice *lattice, unsigned i, const bend *b)
+static void shade_specular(lmb_triangle *t, lmb_lattice *lattice, unsigned i, bend *b)
 {
     const struct lmb_look_light *light = &t->look->light[i];
     const int32_t quiet_q28 = lmb_shr(light->quiet_q30, 2);
     lmb_net net;
-    range r;
-    distances_q28(net.value, lattice->corner, &t->rays->light[i].half);
-    r = range_of(net.value);
-    if (lmb_sub(r.low, lmb_shl(b->most, 1)) > quiet_q28) return;
-    net.curved = b->most != 0;
-    if (net.curved) {
-        net_bulge(&net, b, ONE_Q28, &r);
-        if (r.low > quiet_q28) return;
-    }
+    distances_set(&net, lattice->corner, &t->rays->light[i].half);
+    net_range(&net);
+    if (lmb_sub(net.low, lmb_shl(b->most, 1)) > quiet_q28) return;
+    net.curved = false;
+    if (b->most) net_bend(&net, lattice->corner, b, 0, ONE_Q28);
+    if (net.low > quiet_q28) return;
     t->specular_on = (uint8_t)(t->specular_on | 1u << i);
-    t->exponent[i] = (uint8_t)net_argument(&net, &light->line, lmb_max(r.high, lmb_shl(b->most, 3)), &r.low);
-    if (i == 0) t->gleam = r.low;
+    t->exponent[i] = (uint8_t)net_argument(&net, &light->line, lmb_max(net.high, lmb_shl(b->most, 3)));
+    if (i == 0) t->gleam = net.low;
     lmb_plane_begin(&t->u.light[i].specular, lattice, &net);
-}
-
-/* The bends of a triangle's edges: from corner i to the next. */
-static void bends_set(bend *b, const lmb_vertex *const corner[3])
-{
-    unsigned i;
-    b->factor[0] = distance_q28(&corner[0]->normal, &corner[1]->normal);
-    b->factor[1] = distance_q28(&corner[1]->normal, &corner[2]->normal);
-    b->factor[2] = distance_q28(&corner[2]->normal, &corner[0]->normal);
-    b->most = 0;
-    for (i = 0; i < 3; i++) {
-        int32_t factor = bulge_factor_q28(b->factor[i]);
-        b->most = lmb_max(b->most, factor);
-        b->factor[i] = factor;
-    }
 }
 
 /* Diffuse and gloss by linear or quadratic planes. */
@@ -192,14 +183,16 @@ static void shade_planes(lmb_triangle *t, lmb_lattice *lattice, const lmb_vertex
 {
     bend b;
     unsigned i;
-    b.most = 0;
-    if (t->look->step == LMB_STEP_QUADRATIC) bends_set(&b, corner);
-    lmb_lattice_begin(lattice, corner, b.most != 0, b.most > LMB_BULGE_MAX);
+    b.set = false;
+    b.most = t->look->step == LMB_STEP_QUADRATIC ? t->rays->bend_q28 : 0;
+    if (b.most == LMB_BEND_UNKNOWN) bends_set(&b, corner);
     for (i = 0; i < lmb_look_lights(t->look); i++) {
         shade_diffuse(t, lattice, i, &b);
         if (lmb_bit(t->look->specular_on, i)) shade_specular(t, lattice, i, &b);
     }
 }
+
+int32_t lmb_shade_bend(uint16_t bend_q15) { return bulge_factor_q28(lmb_shl(bend_q15, 13)); }
 
 /* What the lobe returns at v, Q4.28. */
 static int32_t lobe_q28(const lmb_lobe *lobe, int32_t v_q28)
@@ -222,13 +215,12 @@ static void shade_corners(lmb_triangle *t, lmb_lattice *lattice, const lmb_verte
     lmb_net net;
     unsigned i, k;
     net.curved = false;
-    lmb_lattice_begin(lattice, corner, false, false);
     for (i = 0; i < lmb_look_lights(t->look); i++) {
-        dots_q28(net.value, corner, &t->rays->light[i].direction);
+        dots_set(&net, corner, &t->rays->light[i].direction);
         for (k = 0; k < 3; k++) net.value[k] = lmb_max(net.value[k], 0);
         t->diffuse_on = (uint8_t)(t->diffuse_on | corners_begin(&t->u.light[i].diffuse, i, lattice, &net));
         if (!lmb_bit(t->look->specular_on, i)) continue;
-        distances_q28(net.value, corner, &t->rays->light[i].half);
+        distances_set(&net, corner, &t->rays->light[i].half);
         for (k = 0; k < 3; k++) net.value[k] = lobe_q28(&t->look->lobe, net.value[k]);
         t->specular_on = (uint8_t)(t->specular_on | corners_begin(&t->u.light[i].specular, i, lattice, &net));
     }
@@ -260,35 +252,17 @@ void lmb_shade_begin(lmb_triangle *t, lmb_lattice *lattice, const lmb_vertex *co
     t->diffuse_on = t->specular_on = 0;
     t->kind = LMB_SPAN_PLANE;
     t->low = t->high = 0;
+    lmb_lattice_begin(lattice, corner);
     if (LMB_WITH_CORNERS && t->look->model == LMB_MODEL_FLAT) {
         t->kind = LMB_SPAN_FLAT;
-        lmb_lattice_begin(lattice, corner, false, false);
         shade_face(t, corner);
     } else if (LMB_WITH_CORNERS && t->look->model == LMB_MODEL_GOURAUD) {
         shade_corners(t, lattice, corner);
     } else if (LMB_WITH_ARC && t->look->step == LMB_STEP_ARC) {
         t->kind = LMB_SPAN_ARC;
-        lmb_lattice_begin(lattice, corner, false, false);
         t->diffuse_on = (uint8_t)((1u << t->look->lights) - 1u);
         t->specular_on = t->look->specular_on;
     } else {
         shade_planes(t, lattice, corner);
-    }
-}
-
-void lmb_shade_arc(const lmb_triangle *t, lmb_span *span, lmb_vec from, lmb_vec to, uint32_t length, uint32_t start)
-{
-    unsigned i;
-    lmb_arc_between(&span->arc, from, to, length, start);
-    for (i = 0; i < lmb_look_lights(t->look); i++) {
-        /* slope f + (top - slope), both parts over 2^exponent; slope < 2^(shift + 1), so the sum is in (-2, 2) then */
-        const lmb_line *line = &t->look->light[i].line;
-        const int32_t above = line->shift + 1, exponent = lmb_max(above, 0);
-        const uint32_t scale_q16 = (uint32_t)line->slope >> (exponent - above);
-        lmb_arc_dot(&span->arc, &span->diffuse[i], from, to, t->rays->light[i].direction, 65536);
-        if (!lmb_bit(t->specular_on, i)) continue;
-        lmb_arc_dot(&span->arc, &span->specular[i], from, to, t->rays->light[i].half, scale_q16);
-        span->specular[i].c = lmb_sub(lmb_shr(line->top_q30, (unsigned)exponent), (int32_t)(scale_q16 << 14));
-        span->exponent[i] = (uint8_t)exponent;
     }
 }

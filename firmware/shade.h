@@ -9,7 +9,10 @@
  * arcs. Begins the lattice for the corners, clockwise on the screen with y down. */
 void lmb_shade_begin(lmb_triangle *triangle, lmb_lattice *lattice, const lmb_vertex *const corner[3]);
 
-/* Starts all terms of an arc span between two normals, length and start as lmb_arc_prepare has them. */
-void lmb_shade_arc(const lmb_triangle *triangle, lmb_span *span, lmb_vec from, lmb_vec to, uint32_t length, uint32_t start);
+/* Of rays that know of no mesh. */
+#define LMB_BEND_UNKNOWN INT32_MAX
+
+/* How far an edge can bulge, Q4.28, whose normals are no farther apart than lmb_mesh.bend says. */
+int32_t lmb_shade_bend(uint16_t bend_q15);
 
 #endif

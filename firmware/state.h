@@ -34,34 +34,64 @@ typedef struct lmb_look {
     uint8_t specular_on;     /* bit i: light i can make a highlight on this material */
     uint16_t ambient_q15[3]; /* r, g, b in UQ1.15 */
     struct lmb_look_light {
-        lmb_vec direction, half;                  /* unit, in space */
-        uint16_t diffuse_q15[3], specular_q15[3]; /* material times light */
+        lmb_line line;
         int32_t quiet_q30, dark_q16;              /* 1 - N.H, and s, from where on the highlight is not to be seen */
         int32_t straight_q28;                     /* the bend up to which linear N.L is good enough */
-        lmb_line line;
+        lmb_vec direction, half;                  /* unit, in space */
+        uint16_t diffuse_q15[3], specular_q15[3]; /* material times light */
     } light[LMB_LIGHTS];
 } lmb_look;
 
+/* The normal at an end of a span, Q2.14, and its squared length less one, Q4.28. */
+typedef struct lmb_end {
+    int32_t x, y, z, excess_q28;
+} lmb_end;
+
+typedef struct lmb_ends {
+    lmb_end from, to;
+} lmb_ends;
+
+/* A ray times a scale, and what comes of it where the normal meets the ray. Fields but peak_q30 may change without notice. */
+typedef struct lmb_beam {
+    int32_t x_q16, y_q16, z_q16, peak_q30;
+} lmb_beam;
+
 /* Light and half vectors in the space of the normals that they meet: turned once per mesh, so that normals never are. */
 typedef struct lmb_rays {
+#if LMB_WITH_ARC
+    int32_t curve_q28; /* the bend up to which curves stand for arcs */
+    bool rough;        /* rough ones do as well, up to LMB_CURVE_U_MAX */
+#endif
     struct lmb_ray {
         lmb_vec direction, half;
+#if LMB_WITH_ARC
+        uint8_t exponent;   /* of the highlight's argument; for LMB_STEP_ARC, as all that follows */
+        bool shines;        /* there is a highlight */
+        int32_t offset_q30; /* its argument over 2^exponent less the term of its beam */
+        lmb_beam diffuse, specular;
+#endif
     } light[LMB_LIGHTS];
+    int32_t bend_q28; /* what no edge's bulge exceeds */
 } lmb_rays;
 
 /* An arc: the normal turns evenly from pixel to pixel, by phi = psi / m over m pixels, and each dot product with it obeys
  * f(t+1) = 2 cos(phi) f(t) - f(t-1) (paper 001, eq. 7 and 14). Fields may change without notice. */
 typedef struct lmb_arc {
-    uint16_t kappa;          /* mantissa of 4 sin^2(phi/2): what lmb_arc_step needs */
-    uint8_t kappa_shift;     /* its exponent */
-    uint8_t guard;           /* fraction bits that d has beyond those of f */
-    int32_t f_from_a_q30;    /* the first f is a + a f_from_a + rise f_from_rise, */
-    int32_t f_from_rise_q30; /* the first d is a d_from_a + rise d_from_rise, times 2^guard */
-    int32_t d_from_a_q30;
-    int32_t d_from_rise_q30;
-    int32_t excess_from_q28; /* of the normals, for lmb_arc_dot: see lmb_excess_q28 */
-    int32_t excess_to_q28;
+    uint16_t kappa;       /* mantissa of 4 sin^2(phi/2): what lmb_arc_step needs */
+    uint8_t kappa_shift;  /* its exponent */
+    uint8_t guard;        /* fraction bits that d has beyond those of f */
+    uint8_t direct;       /* where the first f comes from: see arc.c */
+    int32_t d_from_a_q28; /* the first d is a d_from_a + rise d_from_rise, times 2^guard, */
+    int32_t d_from_rise_q28;
+    int32_t f_from_a;    /* the first f is a + a f_from_a + d f_from_rise, UQ0.21 and UQ1.16; */
+    int32_t f_from_rise; /* direct: a + a f_from_a + rise f_from_rise, Q4.28 */
 } lmb_arc;
+
+/* A parabola along a span. Fields may change without notice. */
+typedef struct lmb_curve {
+    int32_t first_q16, step_q16, above_q22, slant_q19, bow_q20;
+    unsigned down;
+} lmb_curve;
 
 /* One edge of a triangle, walked row by row without error: x is the first pixel whose centre is not left of the edge, gap how far
  * that centre lies behind the edge, in pixels times modulus. */
@@ -80,7 +110,7 @@ typedef struct lmb_edge_arc {
 } lmb_edge_arc;
 
 /* A quadratic over the triangle in wrapping Q2.30, at some pixel: value, first differences to the right and down, second
- * differences. */
+ * differences; dxx is even. */
 typedef struct lmb_plane {
     int32_t f, dx, dy, dxx, dxy, dyy;
 } lmb_plane;
@@ -110,6 +140,7 @@ typedef struct lmb_triangle {
     } u;
     int32_t window_left, window_right;
     int32_t low, high, gleam;    /* bounds of light 0 over the triangle, Q4.28: of diffuse, upper one of specular */
+    int32_t glare;               /* for the filler: from which argument on its highlights may saturate, Q2.30 */
     const lmb_vertex *corner[3]; /* top, middle, bottom */
 #if LMB_WITH_DEPTH
     lmb_plane depth;
@@ -147,7 +178,9 @@ typedef struct lmb_screen {
 
 /* A walk over the visible triangles of a mesh. Fields may change without notice. */
 typedef struct lmb_walk {
+#if !LMB_WITH_ARC
     lmb_rays rays;
+#endif
     const LMB_FLASH uint16_t *plain, *index, *end; /* of the next triangle that is simply read, and of any other */
     const lmb_vertex *vertices;
     const lmb_look *look;
@@ -156,6 +189,9 @@ typedef struct lmb_walk {
     uint8_t corners, fan; /* of the clipped polygon that is being handed out */
     lmb_screen screen;
     lmb_vertex polygon[LMB_CLIP_MAX];
+#if LMB_WITH_ARC
+    lmb_rays rays; /* long */
+#endif
 } lmb_walk;
 
 #endif

@@ -36,16 +36,14 @@ static inline void lmb_plane_row(lmb_plane *plane)
     plane->dy = lmb_add_wrap(plane->dy, plane->dyy);
 }
 
-/* n (n - 1) / 2: even before it is halved, and below 2^32. |n| < 2^16. */
-static inline int32_t lmb_pairs(int32_t n) { return lmb_signed(((uint32_t)n * ((uint32_t)n - 1u)) >> 1); }
-
-/* The term of a plane some columns right of where it stands. */
-static inline lmb_term lmb_plane_term(const lmb_plane *plane, int32_t columns)
+/* The term of a plane n columns right of where it stands: f + n d + n (n - 1) c / 2 and d + n c, in two products, as c is even. */
+static inline lmb_term lmb_plane_term(const lmb_plane *plane, int32_t n)
 {
-    lmb_term term = {plane->f, plane->dx, plane->dxx};
-    term.f = lmb_add_wrap(term.f, lmb_mul_wrap(columns, term.d));
-    term.f = lmb_add_wrap(term.f, lmb_mul_wrap(lmb_pairs(columns), term.c));
-    term.d = lmb_add_wrap(term.d, lmb_mul_wrap(columns, term.c));
+    const int32_t c = plane->dxx, bow = lmb_mul_wrap(lmb_sub(n, 1), lmb_shr(c, 1)), d = lmb_add_wrap(plane->dx, bow);
+    lmb_term term;
+    term.f = lmb_add_wrap(plane->f, lmb_mul_wrap(n, d));
+    term.d = lmb_add_wrap(d, lmb_add_wrap(bow, c));
+    term.c = c;
     return term;
 }
 

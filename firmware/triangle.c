@@ -28,19 +28,19 @@ static lmb_plane *depth_of(lmb_triangle *t)
  * right side, the last on the left. */
 static void corners_set(lmb_triangle *t, const lmb_vertex *clockwise[3])
 {
-    const lmb_vertex *top = clockwise[0], *right = clockwise[1], *left = clockwise[2];
+    const lmb_vertex *top = clockwise[0], *right = clockwise[1], *left = clockwise[2], *was = top;
     if (left->y < top->y && left->y <= right->y) {
-        clockwise[0] = left;
-        clockwise[1] = top;
-        clockwise[2] = right;
+        top = left;
+        left = right;
+        right = was;
     } else if (right->y < top->y) {
-        clockwise[0] = right;
-        clockwise[1] = left;
-        clockwise[2] = top;
+        top = right;
+        right = left;
+        left = was;
     }
-    right = clockwise[1];
-    left = clockwise[2];
-    t->corner[0] = clockwise[0];
+    clockwise[0] = t->corner[0] = top;
+    clockwise[1] = right;
+    clockwise[2] = left;
     t->long_right = left->y < right->y;
     t->corner[1] = t->long_right ? left : right;
     t->corner[2] = t->long_right ? right : left;
@@ -51,7 +51,7 @@ static bool on_screen(const lmb_vertex *v)
     return v->x >= -LMB_SCREEN_MAX && v->x <= LMB_SCREEN_MAX && v->y >= -LMB_SCREEN_MAX && v->y <= LMB_SCREEN_MAX;
 }
 
-/* Whether the corners run counter-clockwise with y up, that is (b - a) x (c - a) < 0 with y down. Up to 2047 pixels in 32 bits. */
+/* Whether the corners run counter-clockwise with y up, wherever they are: up to 2047 pixels from each other in 32 bits. */
 static bool is_front(const lmb_vertex *a, const lmb_vertex *b, const lmb_vertex *c)
 {
     int32_t bx = lmb_sub(b->x, a->x), by = lmb_sub(b->y, a->y), cx = lmb_sub(c->x, a->x), cy = lmb_sub(c->y, a->y);
@@ -68,7 +68,7 @@ static bool in_columns(lmb_triangle *t, const lmb_vertex *const corner[3], const
     low = lmb_row_at(low); /* columns round as rows do */
     high = lmb_row_at(high);
     t->inside = low >= window->left && high <= window->right;
-    return low < high && (t->inside || (high > window->left && low < window->right));
+    return t->inside || (high > window->left && low < window->right);
 }
 
 /* -----------------------------------------------------------------------------------------------------------------------
@@ -116,11 +116,14 @@ static void terms_begin(lmb_triangle *t, const lmb_vertex *const corner[3])
 
 void lmb_triangle_turn(lmb_triangle *t) { side_begin(t, !t->long_right, 1, 2); }
 
-/* The rest, for corners that are on the screen. */
-static bool begin(lmb_triangle *t, const lmb_vertex *clockwise[3], const lmb_window *window)
+bool lmb_triangle_front(lmb_triangle *t, const lmb_vertex *a, const lmb_vertex *b, const lmb_vertex *c, const lmb_window *window)
 {
+    const lmb_vertex *clockwise[3];
     unsigned lower;
-    if (!in_columns(t, clockwise, window)) return false;
+    clockwise[0] = a;
+    clockwise[1] = c;
+    clockwise[2] = b;
+    if (!t->inside && !in_columns(t, clockwise, window)) return false;
     corners_set(t, clockwise);
     t->y = lmb_max(lmb_row_at(t->corner[0]->y), window->top);
     t->y_end = lmb_min(lmb_row_at(t->corner[2]->y), window->bottom);
@@ -141,11 +144,8 @@ static bool begin(lmb_triangle *t, const lmb_vertex *clockwise[3], const lmb_win
 
 bool lmb_triangle_seen(lmb_triangle *t, const lmb_vertex *a, const lmb_vertex *b, const lmb_vertex *c, const lmb_window *window)
 {
-    const lmb_vertex *clockwise[3];
-    clockwise[0] = a;
-    clockwise[1] = c;
-    clockwise[2] = b;
-    return is_front(a, b, c) && begin(t, clockwise, window);
+    t->inside = false;
+    return is_front(a, b, c) && lmb_triangle_front(t, a, b, c, window);
 }
 
 bool lmb_triangle_begin(lmb_triangle *t, const lmb_look *look, const lmb_rays *rays, const lmb_vertex *a, const lmb_vertex *b,

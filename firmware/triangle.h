@@ -9,4 +9,8 @@
 bool lmb_triangle_seen(lmb_triangle *triangle, const lmb_vertex *a, const lmb_vertex *b, const lmb_vertex *c,
                        const lmb_window *window);
 
+/* The same for one that is known to be seen from the front; triangle->inside says whether it is known to lie in the window, too. */
+bool lmb_triangle_front(lmb_triangle *triangle, const lmb_vertex *a, const lmb_vertex *b, const lmb_vertex *c,
+                        const lmb_window *window);
+
 #endif

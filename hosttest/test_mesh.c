@@ -36,7 +36,7 @@ static void test_place(test_random *random)
         lmb_pose pose;
         lmb_vec v =
             vec(test_integer(random, -32768, 32767), test_integer(random, -32768, 32767), test_integer(random, -32768, 32767));
-        lmb_mesh mesh = {&v, NULL, NULL, 1, 0, (int8_t)test_integer(random, LMB_SCALE_MIN, LMB_SCALE_MAX)};
+        lmb_mesh mesh = {&v, NULL, NULL, 1, 0, (int8_t)test_integer(random, LMB_SCALE_MIN, LMB_SCALE_MAX), 0};
         int32_t half = 16384 * 65536, to[3];
         lmb_point p;
         pose.rotation = lmb_rotation(angle(random), angle(random), angle(random));
@@ -528,7 +528,7 @@ static void test_sort(test_random *random)
     static const uint32_t sizes[] = {0, 1, 2, 3, 4, 5, 13, 14, 40, 41, 1000, 65535, 65536};
     int faults = 0, upset = 0, i;
     uint32_t n, k;
-    lmb_mesh mesh = {positions, positions, indices, 1000, 0, -14};
+    lmb_mesh mesh = {positions, positions, indices, 1000, 0, -14, 0};
     lmb_pose pose = {{{{16384, 0, 0}, {0, 16384, 0}, {0, 0, 16384}}}, 0, 0, -300000};
     int64_t back = 0;
     for (i = 0; i < 1000; i++) {

@@ -349,6 +349,21 @@ static void test_teapot_outside(const shape *s, test_random *r)
                  (unsigned)fronts[1], (unsigned)hits[1]);
 }
 
+/* mesh.bend: 1 - cos of the largest angle between normals along an edge, rounded up. Normals of Q2.14 are unit within 2^-13.8. */
+static void test_bend(const shape *s)
+{
+    const lmb_mesh *m = s->mesh;
+    double most = 0, said = m->bend / 32768.0;
+    uint32_t i;
+    for (i = 0; i < 3 * m->triangles; i++) {
+        const vec3 a = unit(real(m->normals[m->indices[i]]));
+        const vec3 b = unit(real(m->normals[m->indices[i % 3 == 2 ? i - 2 : i + 1]]));
+        most = fmax(most, 1 - dot(a, b));
+    }
+    test_verdict(said >= most - 2e-4 * most && said <= most + 2e-4 * most + 1.0 / 32768 + 1e-9, "bend",
+                 "%s: %.6f, of doubles %.6f", s->name, said, most);
+}
+
 int main(int argc, char **argv)
 {
     test_random r = test_seed(argc, argv);
@@ -358,6 +373,7 @@ int main(int argc, char **argv)
         test_seams(&shapes[i]);
         test_normals_unit(&shapes[i]);
         test_orientation(&shapes[i]);
+        test_bend(&shapes[i]);
     }
     test_sphere(&shapes[0]);
     test_sphere(&shapes[1]);

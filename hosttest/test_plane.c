@@ -26,6 +26,7 @@ static lmb_plane random_plane(test_random *random)
     int i;
     for (i = 0; i < 6; i++) {
         *member[i] = (int32_t)test_integer(random, INT32_MIN, INT32_MAX) >> test_integer(random, 0, 31);
+        if (i == 3) *member[i] = (int32_t)((uint32_t)*member[i] & ~1u);
         if (i > 2 && (linear || test_integer(random, 0, 3) == 0)) *member[i] = 0;
     }
     return p;

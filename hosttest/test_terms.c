@@ -240,10 +240,8 @@ static geometry geometry_of(const lmb_vertex v[3])
     return g;
 }
 
-/* What lambent.h says of triangles: over 512 pixels; 16 times longer than high; bent by more than 80 degrees or a bulge of 1/4.
- * And what plane.c says: 4096 times longer than high they have no curve. */
+/* What lambent.h says of triangles: over 512 pixels. And what plane.c says: 4096 times longer than high they have no curve. */
 static bool is_large(const geometry *g) { return g->bits > 13; }
-static bool is_long(const geometry *g) { return g->length > 4; }
 static bool is_thin(const geometry *g) { return g->length > 12; }
 
 /* A function over the triangle and what its error depends on. */
@@ -254,13 +252,12 @@ typedef struct field {
     double rise;   /* the largest of the linear part */
     double bends;  /* factors of the bulges, summed up, in the function's unit */
     double factor; /* power of two that the state is scaled down by, at most */
-    bool bent;
 } field;
 
 static field field_of(const lmb_vertex v[3], quadratic q, double slope, double factor)
 {
     field f;
-    double bulge[3], most = 0;
+    double bulge[3];
     int i, j;
     f.q = q;
     f.factor = factor;
@@ -272,20 +269,29 @@ static field field_of(const lmb_vertex v[3], quadratic q, double slope, double f
         f.bulges += fabs(bulge[i]);
         f.deepest = larger(f.deepest, fabs(bulge[i]));
         f.bends += bend * slope;
-        most = larger(most, bend);
     }
     f.rise = larger(fabs(q.corner[1] - q.corner[0] + 4 * bulge[0]), fabs(q.corner[2] - q.corner[0] + 4 * bulge[2]));
-    f.bent = most > 0.25;
     return f;
 }
 
-/* Numerators at the anchor are floored by less than 24 sixteenths: over the area. */
-static double anchor_doubt(const geometry *g) { return 24 * ldexp(1, g->bits - 23) / g->area; }
+/* What plane.c says of curves: length over height, times the deepest bulge, is more than four. Powers of two: 0 no, 1 just about so,
+ * 2 certainly. */
+static int is_rough(const geometry *g, const field *f)
+{
+    int size;
+    frexp(f->deepest / f->factor, &size);
+    return g->length + size > 3 ? 2 : g->length + size > 1;
+}
+
+/* Numerators times the reciprocal of 16 bits are floored, by less than two of their units: that is for each pixel, and in 1/16 of one
+ * over 2^5 for each of the 23 sixteenths, across and down together, to the anchor. A unit of a numerator, over the area, in 1/16
+ * pixel: */
+static double floor_doubt(const geometry *g, double n) { return (23 * 64 + 32 * n) * ldexp(1, g->bits - 27) / g->area; }
 
 /* How far a term may be off n pixels, across and down together, from corner 0; triangles of up to 512 pixels, none of them thin.
  *
  * The linear part has rises rounded to 2^-(27 - bits) and so is off by half of that; a reciprocal of 16 bits, 2^-16 of the rise;
- * what anchor_doubt says; differences floored to 2^-30.
+ * what floor_doubt says; differences floored to 2^-30.
  *
  * A bulge comes from its factor and what bulges, to 1.3e-4 (Taylor's series) and 2^-15 of the factor. What it is multiplied with:
  *   ordinary triangles   gradients of lambda are rounded to nearest in units of a mantissa, so that lambda is off by half a unit
@@ -294,21 +300,23 @@ static double anchor_doubt(const geometry *g) { return 24 * ldexp(1, g->bits - 2
  *                        differences are floored to twice the product of two units, 16 d^2; first differences and the value at
  *                        the anchor to 1/32 and 1/512 of it, times offsets of up to 31 and 409 of the units that plane.c has. All
  *                        but the first of these are finer where the deepest bulge is less than 1/16: it is raised to 13 bits
- *   long or bent ones    one factor for all, within 2^-13; numerators at the anchor are floored by less than four, so lambda is
+ *   rough ones           one factor for all, within 2^-13; numerators at the anchor are floored by less than four, so lambda is
  *                        off by that over the area
  * and the rounding of second differences to 2^-30 goes with n^2. */
 static double bound_at(const geometry *g, const field *f, double n)
 {
     const double square = n * n / 2, d = g->unit * n / 2;
-    double scaled = ldexp(1, g->bits - 28) + anchor_doubt(g) + ldexp(n + 2, -30), curve;
+    double scaled = ldexp(1, g->bits - 28) + floor_doubt(g, n) + ldexp(n + 2, -30), curve, whole_curve, gradients;
     const double whole = f->rise * 1.02 * ldexp(1, -16);
     if (f->bulges == 0) return f->factor * scaled + whole;
     scaled += ldexp(square, -30);
     curve = 1.3e-4 * f->bulges + ldexp(f->bends, -15);
-    if (is_long(g) || f->bent) return f->factor * scaled + whole + curve + 4 * f->bulges * (ldexp(1, -13) + 8 / g->area);
-    scaled += fmin(1, 16 * f->deepest / f->factor) *
-              (4 * d + ldexp(7, -16) + 16 * d * d + 992 * g->unit * d + 3272 * g->unit * g->unit);
-    return f->factor * scaled + whole + curve + f->bulges * (16 * d + ldexp(4, -15));
+    whole_curve = 4 * f->bulges * (ldexp(1, -13) + 8 / g->area);
+    gradients = f->factor * fmin(1, 16 * f->deepest / f->factor) *
+                    (4 * d + ldexp(7, -16) + 16 * d * d + 992 * g->unit * d + 3272 * g->unit * g->unit) +
+                f->bulges * (16 * d + ldexp(4, -15));
+    curve += is_rough(g, f) == 2 ? whole_curve : is_rough(g, f) ? larger(whole_curve, gradients) : gradients;
+    return f->factor * scaled + whole + curve;
 }
 
 typedef struct term_errors {
@@ -324,11 +332,11 @@ typedef struct term_errors {
 static void errors_take(term_errors *e, const geometry *g, const field *f, double error, double n)
 {
     if (is_large(g) || is_thin(g)) {
-        e->excess = larger(e->excess, (fabs(error) - f->bulges) / f->factor - (24 + n / 16) / 24 * anchor_doubt(g));
+        e->excess = larger(e->excess, (fabs(error) - f->bulges) / f->factor - floor_doubt(g, n));
     } else {
         const double share = error / bound_at(g, f, n);
         e->share = larger(e->share, fabs(share));
-        if (f->bulges > 0 && !is_long(g) && !f->bent) {
+        if (f->bulges > 0 && !is_rough(g, f)) {
             e->bias += share;
             e->squares += share * share;
             e->curved++;

@@ -150,6 +150,12 @@ static void check_name(const char *name)
     if (!good) mesh_fail("the name is not a C identifier of at most 40 characters");
 }
 
+static unsigned bend_of(const mesh_out *mesh)
+{
+    const lmb_mesh built = {mesh->positions, mesh->normals, mesh->indices, (uint16_t)mesh->vertices, mesh->triangles, 0, 0};
+    return lmb_mesh_bend(&built);
+}
+
 /* The mesh as a C file; shared: positions and normals are one array. */
 static void write_file(FILE *file, const mesh_out *mesh, const char *name, int scale, bool shared)
 {
@@ -158,7 +164,8 @@ static void write_file(FILE *file, const mesh_out *mesh, const char *name, int s
     write_indices(file, name, mesh->indices, mesh->triangles);
     fprintf(file, "extern const lmb_mesh %s;\nconst lmb_mesh %s = {\n    ", name, name);
     fprintf(file, "%s_%s, %s_normals, %s_indices,\n", name, shared ? "normals" : "positions", name, name);
-    fprintf(file, "    %lu, %lu, %d,\n};\n", (unsigned long)mesh->vertices, (unsigned long)mesh->triangles, scale);
+    fprintf(file, "    %lu, %lu, %d, %u,\n};\n", (unsigned long)mesh->vertices, (unsigned long)mesh->triangles, scale,
+            bend_of(mesh));
 }
 
 /* The mesh as a Wavefront OBJ file: positions in space, exact in decimals, and the quantised normals. */

@@ -191,8 +191,8 @@ static void put_mesh(FILE *out, const struct job *job, const lmb_mesh *mesh, con
     put_indices(out, job->name, mesh);
     fprintf(out, "extern const lmb_mesh %s;\nconst lmb_mesh %s = {\n", job->name, job->name);
     fprintf(out, "    %s_positions, %s_normals,\n    %s_indices,\n", job->name, job->name, job->name);
-    fprintf(out, "    %u, /* vertices */\n    %lu, /* triangles */\n    %d, /* scale */\n};\n", mesh->vertices,
-            (unsigned long)mesh->triangles, mesh->scale);
+    fprintf(out, "    %u, /* vertices */\n    %lu, /* triangles */\n    %d, /* scale */\n    %u, /* bend */\n};\n",
+            mesh->vertices, (unsigned long)mesh->triangles, mesh->scale, mesh->bend);
 }
 
 /* --------------------------------------------------------------------------------------------------------------- output files */
@@ -319,7 +319,7 @@ static int convert(const struct job *job)
     struct obj_options reading = {job->quiet ? NULL : stderr, isatty(STDERR_FILENO)};
     struct obj_model model;
     struct mesh_info info;
-    lmb_mesh mesh = {NULL, NULL, NULL, 0, 0, 0};
+    lmb_mesh mesh = {NULL, NULL, NULL, 0, 0, 0, 0};
     int result = EXIT_FAILURE;
     if (obj_read(&model, job->input, &reading, stderr) == 0 && mesh_build(&mesh, &info, &model, &job->options, stderr) == 0) {
         result = write_output(job, &mesh, &info);

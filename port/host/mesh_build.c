@@ -376,8 +376,9 @@ int mesh_build(lmb_mesh *mesh, struct mesh_info *info, const struct obj_model *m
     free(b.cut);
     free(b.slot);
     if (result == 0) {
-        lmb_mesh built = {b.positions, b.normals, b.indices, (uint16_t)b.vertices, b.triangles, (int8_t)b.scale};
+        lmb_mesh built = {b.positions, b.normals, b.indices, (uint16_t)b.vertices, b.triangles, (int8_t)b.scale, 0};
         *mesh = built;
+        mesh->bend = lmb_mesh_bend(mesh);
     } else {
         free(b.positions);
         free(b.normals);
