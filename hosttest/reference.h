@@ -122,7 +122,7 @@ typedef struct ref_drawn {
     enum lmb_format format;
     uint8_t *levels;
     bool *painted;
-    uint64_t shaded; /* what scene_draw returned */
+    uint64_t shaded; /* what scene_pixels says of it */
 } ref_drawn;
 
 /* Draws a scene twice, over two backgrounds that differ in every channel: what shows neither was painted. */

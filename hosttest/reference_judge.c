@@ -46,7 +46,8 @@ static uint64_t draw_over(uint8_t *levels, scene s, lmb_rgb background, enum lmb
     uint64_t shaded;
     s.background = background;
     lmb_surface_strip(&surface, format, bytes, depth, s.width, 0, s.height);
-    shaded = scene_draw(&s, &surface, model, step);
+    scene_draw(&s, &surface, model, step);
+    shaded = scene_pixels(&s, &surface.window);
     if (format == LMB_RGB888) memcpy(levels, bytes, pixels * 3);
     for (i = 0; i < pixels && format == LMB_RGB565; i++) {
         unsigned word = (unsigned)(bytes[2 * i] | bytes[2 * i + 1] << 8);

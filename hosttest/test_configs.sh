@@ -34,7 +34,7 @@ int main(int argc, char **argv)
     lmb_paint_prepare(&paint, &look, format);
     lmb_surface_strip(&surface, format, frame, NULL, 240, 0, 240);
     lmb_clear(&surface, night);
-    if (lmb_draw_mesh(&surface, &mesh_icosphere_320, &pose, &camera, &paint, NULL, NULL) < 30000) return 6;
+    if (lmb_draw_mesh(&surface, &mesh_icosphere_320, &pose, &camera, &paint, NULL, NULL) < 150) return 6;
     return fwrite(frame, 240 * 240 * lmb_format_bytes(format), 1, stdout) == 1 ? 0 : 7;
 }
 END

@@ -372,8 +372,8 @@ static void test_walks(test_random *random)
     static lmb_vertex vertices[3 * SPHERE_TRIANGLES];
     static uint16_t order[SPHERE_TRIANGLES];
     static int16_t keys[SPHERE_TRIANGLES];
-    static memory plain, projected, deep, painted;
-    int i, unlike = 0, painter = 0, clipped = 0;
+    static memory plain, projected, deep, painted, bent;
+    int i, unlike = 0, painter = 0, clipped = 0, unbent = 0;
     sphere_build(&ball);
     for (i = 0; i < 600; i++) {
         shot s;
@@ -390,11 +390,16 @@ static void test_walks(test_random *random)
         mesh_shot(&s, &projected, format, vertices, NULL, false);
         mesh_shot(&s, &painted, format, vertices, order, false);
         mesh_shot(&s, &deep, format, NULL, NULL, true);
+        ball.mesh.bend = lmb_mesh_bend(&ball.mesh);
+        mesh_shot(&s, &bent, format, vertices, NULL, false);
+        ball.mesh.bend = 0;
         unlike += part_differs(&plain, &projected) != 0;
+        unbent += part_differs(&plain, &bent) != 0;
         painter += part_differs(&painted, &deep) != 0;
     }
     test_verdict(!unlike, "walk: corners projected before give the same frame", "%d of %d frames differ, %d clipped", unlike, i,
                  clipped);
+    test_verdict(!unbent, "walk: a mesh whose bend is known gives the same frame", "%d of %d frames differ", unbent, i);
     test_verdict(!painter, "walk: painter's order and depth give the same frame of a convex mesh", "%d of %d frames differ",
                  painter, i);
 }

@@ -204,13 +204,13 @@ static void test_order(test_random *random)
         int low[3], high[3];
         random_paint(random, &paint, &material, i % 3);
         for (k = 1; k < LMB_RAMP_TOP; k++) {
-            levels_at((const uint8_t *)&paint.colour[k - 1], LMB_RGB565, low);
-            levels_at((const uint8_t *)&paint.colour[k], LMB_RGB565, high);
+            levels_at((const uint8_t *)&paint.ramp[k - 1], LMB_RGB565, low);
+            levels_at((const uint8_t *)&paint.ramp[k], LMB_RGB565, high);
             for (c = 0; c < 3; c++) falls += high[c] < low[c];
         }
         for (k = 1; k < LMB_GLEAM_TOP; k++) {
-            levels_at((const uint8_t *)&paint.gleam[k - 1], LMB_RGB565, low);
-            levels_at((const uint8_t *)&paint.gleam[k], LMB_RGB565, high);
+            levels_at((const uint8_t *)&paint.ramp[LMB_RAMP_TOP + k - 1], LMB_RGB565, low);
+            levels_at((const uint8_t *)&paint.ramp[LMB_RAMP_TOP + k], LMB_RGB565, high);
             for (c = 0; c < 3; c++) falls += high[c] < low[c];
         }
     }

@@ -80,7 +80,8 @@ static void flat_span(lmb_span *span, int x, int y, int length, int depth)
     span->depth.f = depth * 16384;
 }
 
-/* Nearer wins, equal and farther keep what is there, pixel by pixel along a span whose depth runs. */
+/* Nearer wins, equal and farther keep what is there, pixel by pixel along a span whose depth runs; what is nearer than nearest counts
+ * as that. */
 static void test_depth(test_random *random)
 {
     static memory m;
@@ -93,7 +94,8 @@ static void test_depth(test_random *random)
         int rise = (int)test_integer(random, -99, 99);
         if (i % 3 == 0) second = first;
         if (i % 3 == 1) second = first + (int)test_integer(random, -40, 40);
-        if (second + 20 * rise < 0 || second < 0 || second + 20 * rise > 65534 || second > 65534) continue;
+        if (i % 5 == 0) first = (int)test_integer(random, 0, 400), second = (int)test_integer(random, -200, 400);
+        if (second + 20 * rise < -1000 || second + 20 * rise > 65534 || second > 65534) continue;
         for (k = 0; k < 2; k++) {
             lmb_material material = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 1};
             lmb_light light = {{0, 0, 16384}, {255, 255, 255}};
@@ -109,9 +111,9 @@ static void test_depth(test_random *random)
         span.depth.d = rise * 16384;
         lmb_fill_span(&m.surface, &paint[1], &span);
         for (k = 0; k < 20; k++) {
-            int now = second + k * rise, wins = now < first;
+            int now = second + k * rise, wins = now < first, kept = now < 0 ? 0 : now;
             faults += pixel_of(&m.surface, 6 + k, 8)[0] != (wins ? 200 : 100);
-            faults += m.surface.depth[25 + 1 + k] != (wins ? now : first);
+            faults += m.surface.depth[25 + 1 + k] != (wins ? kept : first);
         }
         faults += pixel_of(&m.surface, 5, 8)[0] != 1 || pixel_of(&m.surface, 26, 8)[0] != 1 || m.surface.depth[25] != 65535 ||
                   m.surface.depth[25 + 21] != 65535;

@@ -39,7 +39,8 @@ static inline unsigned lmb_format_bytes(enum lmb_format format)
 }
 
 /* How many loops are built for one light on RGB565: 1, one for each kind of triangle, with nothing in it that the kind does not
- * need; 0, one for all, which saves some 1.5 KB of flash and draws the same. */
+ * need, with depth or without, Gouraud's among them; 0, one for all but flat triangles, which saves some KB of flash and draws the
+ * same. */
 #ifndef LMB_LOOPS
 #ifdef __OPTIMIZE_SIZE__
 #define LMB_LOOPS 0
@@ -74,8 +75,8 @@ void lmb_clear(const lmb_surface *surface, lmb_rgb colour);
 /* A look in the colours of a format, prepared once: what is drawn is drawn with it. Fields may change without notice. */
 typedef struct lmb_paint {
 #if LMB_WITH_RAMPS
-    /* For one light on RGB565: ambient and diffuse by N.L; the highlight by its argument. */
-    uint16_t colour[LMB_RAMP_TOP], gleam[LMB_GLEAM_TOP];
+    uint16_t
+        ramp[LMB_RAMP_TOP + LMB_GLEAM_TOP]; /* one light on RGB565: ambient and diffuse by N.L, then highlights by argument */
 #endif
     uint8_t format;
     bool ramped;         /* they are set */
@@ -93,13 +94,13 @@ void lmb_paint_prepare(lmb_paint *paint, const lmb_look *look, enum lmb_format f
 void lmb_fill_span(const lmb_surface *surface, const lmb_paint *paint, const lmb_span *span);
 
 /* Stores all pixels of a triangle that lmb_triangle_begin has set up for the surface's window: the same as span by span, with
- * less in between. Returns how many. */
-uint32_t lmb_fill_triangle(const lmb_surface *surface, const lmb_paint *paint, lmb_triangle *triangle);
+ * less in between. */
+void lmb_fill_triangle(const lmb_surface *surface, const lmb_paint *paint, lmb_triangle *triangle);
 
 /* Draws a mesh: all of the above in one call.
  *   paint            in the surface's format
  *   vertices, order  as in lmb_mesh_begin; both may be NULL
- *   return           pixels that were inside triangles (with depth: before the test) */
+ *   return           how many triangles may have been seen; none: there is nothing on the surface */
 uint32_t lmb_draw_mesh(const lmb_surface *surface, const lmb_mesh *mesh, const lmb_pose *pose, const lmb_camera *camera,
                        const lmb_paint *paint, const lmb_vertex *vertices, const uint16_t *order);
 

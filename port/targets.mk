@@ -158,7 +158,8 @@ avr-calls := __mulhisi3 __umulhisi3 __usmulhisi3 __muluhisi3 __mulshisi3 __mulsi
 
 TARGETS += atmega1284p
 atmega1284p.prefix := avr-
-atmega1284p.flags  := $(call avr-flags,atmega1284p)
+# At -O2 library and meshes are more than 128 KB.
+atmega1284p.flags  := $(call avr-flags,atmega1284p) -Os -DLMB_LOOPS=1
 atmega1284p.board  := avr
 atmega1284p.ld     := linker/atmega1284p.ld
 atmega1284p.calls  := $(avr-calls)

@@ -21,7 +21,7 @@ static const LMB_FLASH lmb_vec cube_normals[8] = {
 static const LMB_FLASH uint16_t cube_indices[36] = {
     4, 5, 7, 4, 7, 6, 1, 0, 2, 1, 2, 3, 5, 1, 3, 5, 3, 7, 0, 4, 6, 0, 6, 2, 6, 7, 3, 6, 3, 2, 0, 1, 5, 0, 5, 4,
 };
-static const lmb_mesh cube = {cube_positions, cube_normals, cube_indices, 8, 12, -13};
+static const lmb_mesh cube = {cube_positions, cube_normals, cube_indices, 8, 12, -13, 0};
 
 static uint16_t frame[WIDTH * HEIGHT * 3 / 2], depth[WIDTH * HEIGHT], order[TRIANGLES];
 static int16_t keys[TRIANGLES];

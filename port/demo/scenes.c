@@ -190,16 +190,32 @@ static const lmb_paint *paint_of(const lmb_look *look, enum lmb_format format)
     return &paint;
 }
 
-uint32_t scene_draw(const scene *s, const lmb_surface *surface, enum lmb_model model, enum lmb_step_kind step)
+void scene_draw(const scene *s, const lmb_surface *surface, enum lmb_model model, enum lmb_step_kind step)
 {
-    uint32_t pixels = 0;
     unsigned i;
     lmb_clear(surface, s->background);
     for (i = 0; i < s->objects; i++) {
         lmb_look look;
-        if (lmb_look_prepare(&look, &s->object[i].material, s->light, s->lights, model, step)) return 0;
-        pixels += lmb_draw_mesh(surface, s->object[i].mesh, &s->object[i].pose, &s->camera,
-                                paint_of(&look, (enum lmb_format)surface->format), NULL, NULL);
+        if (lmb_look_prepare(&look, &s->object[i].material, s->light, s->lights, model, step)) return;
+        lmb_draw_mesh(surface, s->object[i].mesh, &s->object[i].pose, &s->camera,
+                      paint_of(&look, (enum lmb_format)surface->format), NULL, NULL);
+    }
+}
+
+uint32_t scene_pixels(const scene *s, const lmb_window *window)
+{
+    uint32_t pixels = 0;
+    lmb_look look;
+    unsigned i;
+    for (i = 0; i < s->objects; i++) {
+        lmb_walk walk;
+        lmb_triangle triangle;
+        lmb_span span;
+        if (lmb_look_prepare(&look, &s->object[i].material, s->light, s->lights, LMB_MODEL_DIFFUSE, LMB_STEP_LINEAR)) return 0;
+        lmb_mesh_begin(&walk, s->object[i].mesh, &s->object[i].pose, &s->camera, &look, window, NULL, NULL);
+        while (lmb_mesh_next(&walk, &triangle)) {
+            while (lmb_triangle_next(&triangle, &span)) pixels += span.length;
+        }
     }
     return pixels;
 }

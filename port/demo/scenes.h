@@ -56,8 +56,11 @@ typedef struct scene {
 unsigned scene_count(void);
 void scene_make(scene *out, unsigned i);
 
-/* Draws a scene into a surface, all of it or the strip that the surface's window shows. Returns the pixels shaded. */
-uint32_t scene_draw(const scene *s, const lmb_surface *surface, enum lmb_model model, enum lmb_step_kind step);
+/* Draws a scene into a surface, all of it or the strip that the surface's window shows. */
+void scene_draw(const scene *s, const lmb_surface *surface, enum lmb_model model, enum lmb_step_kind step);
+
+/* How many pixels lie inside triangles that a window shows, each as often as it does: what is shaded, with depth before the test. */
+uint32_t scene_pixels(const scene *s, const lmb_window *window);
 
 /* Radii of the torus. */
 #define SCENE_TORUS_MAJOR 0.7

@@ -29,18 +29,18 @@ static int show(const scene *s, const char *folder)
     if (frame && depth && snprintf(path, sizeof path, "%s/%s.bmp", folder, s->name) < (int)sizeof path) {
         lmb_surface surface;
         clock_t begin;
-        uint32_t shaded;
         double milliseconds;
         lmb_surface_strip(&surface, LMB_RGB565, frame, s->depth ? depth : NULL, s->width, 0, s->height);
         begin = clock();
-        shaded = scene_draw(s, &surface, LMB_MODEL_GLOSS, s->step);
+        scene_draw(s, &surface, LMB_MODEL_GLOSS, s->step);
         milliseconds = 1000.0 * (double)(clock() - begin) / CLOCKS_PER_SEC;
         result = bmp_write(path, &surface);
         if (result) {
             fprintf(stderr, "%s: cannot write: %s\n", path, strerror(errno));
         } else {
-            printf("%-38s %6lu pixels  %5lu triangles  gloss, %s, RGB565%s  %6.2f ms\n", path, (unsigned long)shaded,
-                   (unsigned long)triangles_of(s), step_name[s->step], s->depth ? ", depth" : "", milliseconds);
+            printf("%-38s %6lu pixels  %5lu triangles  gloss, %s, RGB565%s  %6.2f ms\n", path,
+                   (unsigned long)scene_pixels(s, &surface.window), (unsigned long)triangles_of(s), step_name[s->step],
+                   s->depth ? ", depth" : "", milliseconds);
         }
     } else {
         fprintf(stderr, "lmb-demo: out of memory or path too long\n");

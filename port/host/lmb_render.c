@@ -314,7 +314,7 @@ static void memory_free(memory *m)
 }
 
 /* Draws strip by strip; the whole frame is one strip unless the job says otherwise. Returns 0 or a library error. */
-static int draw(const job *j, const lmb_mesh *mesh, const memory *m, lmb_surface *frame, uint32_t *shaded)
+static int draw(const job *j, const lmb_mesh *mesh, const memory *m, lmb_surface *frame, uint32_t *seen)
 {
     size_t row_bytes = (size_t)j->width * lmb_format_bytes((enum lmb_format)j->format);
     lmb_camera camera;
@@ -327,14 +327,14 @@ static int draw(const job *j, const lmb_mesh *mesh, const memory *m, lmb_surface
     place(j, &camera, &pose);
     lmb_mesh_project(mesh, &pose, &camera, m->vertices);
     if (m->order) error = lmb_mesh_sort(mesh, &pose, m->order, m->keys);
-    *shaded = 0;
+    *seen = 0;
     for (top = 0; top < j->height && !error; top += j->strip) {
         int bottom = top + j->strip < j->height ? top + j->strip : j->height;
         lmb_surface strip;
         lmb_surface_strip(&strip, (enum lmb_format)j->format, m->frame + (size_t)top * row_bytes, m->depth, j->width, top,
                           bottom);
         lmb_clear(&strip, j->background);
-        *shaded += lmb_draw_mesh(&strip, mesh, &pose, &camera, &paint, m->vertices, m->order);
+        *seen += lmb_draw_mesh(&strip, mesh, &pose, &camera, &paint, m->vertices, m->order);
     }
     lmb_surface_strip(frame, (enum lmb_format)j->format, m->frame, NULL, j->width, 0, j->height);
     return error;
@@ -344,7 +344,7 @@ static int render(const job *j, const lmb_mesh *mesh)
 {
     memory m;
     lmb_surface frame;
-    uint32_t shaded = 0;
+    uint32_t seen = 0;
     clock_t begin;
     double milliseconds;
     int error, result = EXIT_FAILURE;
@@ -354,7 +354,7 @@ static int render(const job *j, const lmb_mesh *mesh)
         return EXIT_FAILURE;
     }
     begin = clock();
-    error = draw(j, mesh, &m, &frame, &shaded);
+    error = draw(j, mesh, &m, &frame, &seen);
     milliseconds = 1000.0 * (double)(clock() - begin) / CLOCKS_PER_SEC;
     if (error) {
         fprintf(stderr, "%s: %s\n", j->input,
@@ -365,9 +365,8 @@ static int render(const job *j, const lmb_mesh *mesh)
     } else {
         result = EXIT_SUCCESS;
         if (!j->quiet) {
-            fprintf(stderr, "%s  %lu pixels  %lu triangles  %s, %s, %s  %.2f ms\n", j->output, (unsigned long)shaded,
-                    (unsigned long)mesh->triangles, model_names[j->model], step_names[j->step], format_names[j->format],
-                    milliseconds);
+            fprintf(stderr, "%s  %lu triangles, %lu seen  %s, %s, %s  %.2f ms\n", j->output, (unsigned long)mesh->triangles,
+                    (unsigned long)seen, model_names[j->model], step_names[j->step], format_names[j->format], milliseconds);
         }
     }
     memory_free(&m);
