@@ -112,15 +112,15 @@ static void say_scene(const scene *s, const char *model)
     profile_say_end();
 }
 
-/* After a frame. drawn: pixels as the renderer counts them, which must be those of the walk. */
-static void say_counts(const scene *s, uint32_t drawn)
+/* After a frame. drawn: triangles, or pixels, as the renderer counts them, which must be those of the walk. */
+static void say_counts(const scene *s, uint32_t drawn, bool triangles)
 {
     counts c;
     count(&c, s, &profile_work.paint);
-    if (c.pixels != drawn) {
+    if (drawn != (triangles ? c.triangles : c.pixels)) {
         profile_say("error: the walk counts ");
-        profile_say_number(c.pixels);
-        profile_say(" pixels, but drawn were ");
+        profile_say_number(triangles ? c.triangles : c.pixels);
+        profile_say(triangles ? " triangles, but drawn were " : " pixels, but drawn were ");
         profile_say_number(drawn);
         profile_say_end();
     }
@@ -158,7 +158,7 @@ static void draw(const scene *s, unsigned model)
         drawn += lmb_draw_mesh(&surface, o->mesh, &o->pose, &s->camera, &profile_work.paint, profile_memory.vertices, NULL);
     }
     profile_end();
-    say_counts(s, drawn);
+    say_counts(s, drawn, true);
 }
 
 #if COMPARED
@@ -176,7 +176,7 @@ static void draw_compared(const scene *s, const compare_frame *frame)
     lmb_mesh_project(o->mesh, &o->pose, &s->camera, profile_memory.vertices);
     drawn = frame->draw(&surface, o->mesh, &o->pose, &compared, profile_memory.vertices, room);
     profile_end();
-    say_counts(s, drawn);
+    say_counts(s, drawn, false);
 }
 #endif
 

@@ -4,7 +4,11 @@
  *   pixel-*                    a triangle's top 16 rows in a window of 80 and of 16 columns: the difference, over 16 x 64 pixels
  *   span-quadratic, span-arc   32 and 16 rows in windows of 80 and 16 columns: what 16 rows more cost at no width
  *   span-* of a comparison     its loop over 80 and over 16 pixels: the difference over 64
- *   span-arc-setup             an arc and two terms on it, from normals; the mean of some
+ *   span-arc-setup             both terms of a span between two normals, as a row begins them once its edges have given these: the
+ *                              mean of 18 spans that turn by 2 to 40 degrees, of 7 to 64 pixels, first pixels anywhere in theirs.
+ *                              Up to 13 degrees the library takes a curve (RGB888, the scene's exponent), then an arc
+ *   span-arc-setup-565         the same of the eleven spans of up to 17 degrees as RGB565 takes them if n is up to 32: rough curves,
+ *                              which end at 19 degrees
  *   triangle-gloss, -worst     lmb_triangle_begin of triangles that are drawn: the mean of icosphere-320, the most of all scenes
  *   vertex                     lmb_mesh_project over the vertices of icosphere-320
  *   lobe, lobe-*               64 evaluations less a loop with none
@@ -15,6 +19,8 @@
  */
 #include "bench.h"
 
+#include "../../firmware/curve.h"
+#include "../../firmware/shade.h"
 #include "mark.h"
 
 #define NARROW 16
@@ -48,14 +54,7 @@ static bool triangle_begin(const lmb_vertex *a, const lmb_vertex *b, const lmb_v
     return lmb_triangle_begin(&work->triangle, &work->paint.look, &room.rays, a, b, c, &room.surface.window);
 }
 
-static uint32_t triangle_fill(void) { return lmb_fill_triangle(&room.surface, &work->paint, &work->triangle); }
-
-static void arc_set_up(lmb_arc *arc, lmb_term terms[2], lmb_vec from, lmb_vec to, unsigned pixels)
-{
-    lmb_arc_between(arc, from, to, pixels * LMB_ARC_PIXEL, 0);
-    lmb_arc_dot(arc, &terms[0], from, to, work->paint.look.light[0].direction, 65536);
-    lmb_arc_dot(arc, &terms[1], from, to, work->paint.look.light[0].half, 65536);
-}
+static void triangle_fill(void) { lmb_fill_triangle(&room.surface, &work->paint, &work->triangle); }
 
 /* --------------------------------------------------------------------------------------------------------------------- saying */
 
@@ -170,6 +169,8 @@ static bool begin(const scene *s, const kernel *k, int columns, int rows)
 {
     if (!paint_prepare(s, k->model, k->step)) return false;
     lmb_rays_prepare(&room.rays, &work->paint.look, NULL);
+    room.rays.curve_q28 = -1; /* arcs are to be arcs, wide or narrow */
+    room.rays.rough = false;
     lmb_surface_strip(&room.surface, LMB_RGB565, row, NULL, LMB_PROFILE_SIZE, 0, MARGIN + rows);
     room.surface.window.right = (int16_t)(MARGIN + columns);
     room.surface.pitch = 0;
@@ -183,8 +184,10 @@ static void filled(const scene *s, const kernel *k, int columns, int rows)
 {
     uint32_t pixels = 0;
     if (!begin(s, k, columns, rows)) say_fault(k->name, " has no triangle");
+    while (lmb_triangle_next(&work->triangle, &work->span)) pixels += work->span.length;
+    begin(s, k, columns, rows);
     profile_begin();
-    pixels = triangle_fill();
+    triangle_fill();
     profile_end();
     if (pixels != (uint32_t)columns * (uint32_t)rows) say_fault(k->name, " does not fill its window");
 }
@@ -228,18 +231,35 @@ static void span_kernel(const scene *s, const kernel *k)
     filled(s, k, WIDE, FEW);
 }
 
-static void arc_kernel(const char *name)
+/* Normals up to 45 degrees off the viewer, turned by an angle towards any side. Lengths are not whole pixels, and first pixels'
+ * centres lie anywhere within a pixel. */
+static void arc_kernel(const scene *s, const char *name, bool exact)
 {
-    static const int8_t turns[][3] = {{30, 10, 40}, {-20, 35, 60}, {5, 50, 80}, {45, -10, 20}, {-40, -15, 120}, {10, 0, 10}};
-    unsigned i;
-    if (!profile_chosen(profile_model, name)) return;
+    static const uint8_t degrees[] = {2, 3, 4, 5, 6, 8, 9, 11, 13, 15, 17, 19, 22, 25, 29, 32, 36, 40};
+    static const uint8_t pixels[] = {13, 40, 8, 27, 64, 19, 51};
+    lmb_span span;
+    lmb_run run;
+    unsigned i, length = 0;
+    if (!profile_chosen(profile_model, name) || !paint_prepare(s, LMB_MODEL_GLOSS, LMB_STEP_ARC)) return;
+    if (exact) lmb_look_tolerance(&work->paint.look, LMB_TOLERANCE_RGB888);
+    lmb_rays_prepare(&room.rays, &work->paint.look, NULL);
+    work->triangle.look = &work->paint.look;
+    work->triangle.rays = &room.rays;
+    work->triangle.specular_on = 1;
     say_series("mean", name, "span");
-    for (i = 0; i < sizeof turns / sizeof turns[0]; i++) {
-        const lmb_vec from = lmb_normalise(turns[i][0], turns[i][1], 90), to = lmb_normalise(turns[i][1], turns[i][0], 70);
-        lmb_arc arc;
-        lmb_term terms[2];
+    for (i = 0; i < sizeof degrees && (exact || degrees[i] <= 18); i++) {
+        const uint16_t lean = (uint16_t)(i * 1100u), turn = (uint16_t)(degrees[i] * 46603ul >> 8), about = (uint16_t)(i * 9973u);
+        const lmb_matrix leant = lmb_rotation(lean & 8191u, 0, about), turned = lmb_rotation(0, turn, (uint16_t)(3u * about));
+        const lmb_vec towards = {0, 0, 16384}, from = lmb_rotate(&leant, towards);
+        const lmb_vec to = lmb_rotate(&leant, lmb_rotate(&turned, towards));
+        run.start = (i * 40503u) & 65535u;
+        run.length = pixels[length] * LMB_ARC_PIXEL - (i * 30011u & 65535u);
+        if (++length == sizeof pixels) length = 0;
+        span.kind = LMB_SPAN_ARC;
+        lmb_end_place(&run.ends.from, from.x, from.y, from.z);
+        lmb_end_place(&run.ends.to, to.x, to.y, to.z);
         profile_begin();
-        arc_set_up(&arc, terms, from, to, (unsigned)turns[i][2]);
+        lmb_run_terms(&work->triangle, &span, &run);
         profile_end();
     }
 }
@@ -253,6 +273,7 @@ static void triangles(const scene *s)
     uint32_t i;
     if (s->objects != 1 || !PROFILE_FITS(o->mesh) || !paint_prepare(s, LMB_MODEL_GLOSS, LMB_STEP_QUADRATIC)) return;
     lmb_rays_prepare(&room.rays, &work->paint.look, &o->pose.rotation);
+    room.rays.bend_q28 = lmb_shade_bend(o->mesh->bend);
     lmb_surface_strip(&room.surface, LMB_RGB565, row, NULL, s->width, 0, s->height);
     lmb_mesh_project(o->mesh, &o->pose, &s->camera, profile_memory.vertices);
     for (i = 0; i < o->mesh->triangles; i++) {
@@ -367,8 +388,8 @@ bool profile_kernels(void)
     scene_make(s, 0);
     for (i = 0; i < sizeof pixel_kernels / sizeof pixel_kernels[0]; i++) pixel_kernel(s, &pixel_kernels[i]);
     for (i = 0; i < sizeof span_kernels / sizeof span_kernels[0]; i++) span_kernel(s, &span_kernels[i]);
-    paint_prepare(s, LMB_MODEL_GLOSS, LMB_STEP_ARC);
-    arc_kernel("span-arc-setup");
+    arc_kernel(s, "span-arc-setup", true);
+    arc_kernel(s, "span-arc-setup-565", false);
     triangle_kernels(s);
     vertex_kernel(s);
 #if LMB_PROFILE_COMPARED
