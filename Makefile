@@ -308,7 +308,7 @@ $$(B)/size/$1/%/whole.elf: $$(WEIGHED_FILES) port/targets.mk
 	$$(Q)hosttest/size_image.sh $$(@D) "$$($1.prefix)" "$$(filter-out -DLMB_LOOPS=1,$$($1.flags))" $$(filter %di3.c,$$($1.sources))
 
 $$(B)/size/$1/%/marked.elf: $$(B)/size/$1/%/whole.elf $$(B)/meshes/icosphere_320.c $$(wildcard hosttest/stack*) $$($1.sources) $$($1.ld)
-	$$(Q)hosttest/stack_image.sh $$(@D) "$$($1.prefix)" "$$($1.flags)" "$$($1.link)" $$(B)/meshes/icosphere_320.c $$($1.sources)
+	$$(Q)hosttest/stack_image.sh $$(@D) "$$($1.prefix)" "$$(filter-out -DLMB_LOOPS=1,$$($1.flags))" "$$($1.link)" $$(B)/meshes/icosphere_320.c $$($1.sources)
 
 $$(B)/size/$1/size.txt: hosttest/size.sh $$(wildcard hosttest/stack.*) $$(foreach c,empty flat diffuse gloss everything,$$(B)/size/$1/$$c-Os/whole.elf)
 	$$(Q)hosttest/size.sh table $1 "$$($1.prefix)" $$(@D) > $$@

@@ -26,10 +26,12 @@
 #include "edge.h"
 #include "step.h"
 
-#define NEAR_BITS 13                        /* 512 pixels in 1/16 pixel */
-#define ANCHOR_MAX 255                      /* pixels: within most displays */
-#define BULGE_BITS 27                       /* no bulge reaches a half, Q4.28 */
-#define ROUGH_BITS 2                        /* length over height times the deepest bulge: up to 4 gradients are exact enough */
+#define NEAR_BITS 13   /* 512 pixels in 1/16 pixel */
+#define ANCHOR_MAX 255 /* pixels: within most displays */
+#define BULGE_BITS 27  /* no bulge reaches a half, Q4.28 */
+/* Rounded gradients are exact enough up to some product of length over height and the deepest bulge, Q4.28: a half, or two. */
+#define LIMIT_FINE 27
+#define LIMIT_COARSE 29
 #define LONG_BITS 7                         /* 128 times: whole products for all their planes */
 #define FLAT_BITS (LMB_WITH_LARGE ? 12 : 8) /* 4096 times: they have no curve, as its rounding would exceed it */
 
@@ -75,9 +77,10 @@ static int32_t anchor(const lmb_lattice *l, int32_t corner, int32_t pixel, int32
     return pixel;
 }
 
-void lmb_lattice_begin(lmb_lattice *lattice, const lmb_vertex *const corner[3])
+void lmb_lattice_begin(lmb_lattice *lattice, const lmb_vertex *const corner[3], bool fine)
 {
     lattice->corner = corner;
+    lattice->limit = fine ? LIMIT_FINE : LIMIT_COARSE;
     lattice->ready = lattice->graded = lattice->rough = false;
 }
 
@@ -174,7 +177,7 @@ void lmb_plane_begin(lmb_plane *plane, lmb_lattice *l, const lmb_net *net)
     if (!l->ready) lattice_prepare(l);
     curved = net->curved && !l->flat;
     if (curved) size = lmb_bits_of(net->bulge, 3);
-    rough = size + 2 * l->bits > l->shift + 28 + ROUGH_BITS;
+    rough = size + 2 * l->bits > l->shift + l->limit;
     l->rough = l->rough || rough;
     if (LMB_WITH_LARGE && (l->exact || rough)) {
         lmb_plane_exact(plane, l, net);

@@ -15,6 +15,7 @@ typedef struct lmb_lattice {
     bool flat;               /* so thin that no plane takes bulges */
     bool large;              /* reaches over more than 512 pixels: the anchor may be moved */
     bool exact;              /* large, or very thin: lmb_plane_exact serves linear planes, too */
+    uint8_t limit;           /* of rounded gradients */
     int32_t step[4];         /* |.| < 2^bits */
     unsigned bits;           /* 1 to 13 unless large */
     int32_t column, row;     /* the anchor: the pixel where planes are set up */
@@ -33,8 +34,9 @@ typedef struct lmb_net {
     bool curved;       /* bulges count */
 } lmb_net;
 
-/* Begins a lattice for three corners, clockwise on the screen with y down, which must stay in place. */
-void lmb_lattice_begin(lmb_lattice *lattice, const lmb_vertex *const corner[3]);
+/* Begins a lattice for three corners, clockwise on the screen with y down, which must stay in place; fine: for formats of more than
+ * 6 bits a channel. */
+void lmb_lattice_begin(lmb_lattice *lattice, const lmb_vertex *const corner[3], bool fine);
 
 /* The plane through a net, at the lattice's anchor. Bulges count unless the lattice is flat. */
 void lmb_plane_begin(lmb_plane *plane, lmb_lattice *lattice, const lmb_net *net);

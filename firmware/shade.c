@@ -252,7 +252,7 @@ void lmb_shade_begin(lmb_triangle *t, lmb_lattice *lattice, const lmb_vertex *co
     t->diffuse_on = t->specular_on = 0;
     t->kind = LMB_SPAN_PLANE;
     t->low = t->high = 0;
-    lmb_lattice_begin(lattice, corner);
+    lmb_lattice_begin(lattice, corner, t->look->tolerance < LMB_TOLERANCE_RGB565);
     if (LMB_WITH_CORNERS && t->look->model == LMB_MODEL_FLAT) {
         t->kind = LMB_SPAN_FLAT;
         shade_face(t, corner);

@@ -274,13 +274,13 @@ static field field_of(const lmb_vertex v[3], quadratic q, double slope, double f
     return f;
 }
 
-/* What plane.c says of curves: length over height, times the deepest bulge, is more than four. Powers of two: 0 no, 1 just about so,
- * 2 certainly. */
+/* What plane.c says of curves: length over height times the deepest bulge is more than a half or, for looks on RGB565, two. Powers of
+ * two: 0 no, 1 perhaps, 2 certainly. */
 static int is_rough(const geometry *g, const field *f)
 {
     int size;
     frexp(f->deepest / f->factor, &size);
-    return g->length + size > 3 ? 2 : g->length + size > 1;
+    return g->length + size > 2 ? 2 : g->length + size > -2;
 }
 
 /* Numerators times the reciprocal of 16 bits are floored, by less than two of their units: that is for each pixel, and in 1/16 of one

@@ -42,7 +42,7 @@ static inline unsigned lmb_format_bytes(enum lmb_format format)
  * need, with depth or without, Gouraud's among them; 0, one for all but flat triangles, which saves some KB of flash and draws the
  * same. */
 #ifndef LMB_LOOPS
-#ifdef __OPTIMIZE_SIZE__
+#if defined(__OPTIMIZE_SIZE__) || defined(__AVR__)
 #define LMB_LOOPS 0
 #else
 #define LMB_LOOPS 1

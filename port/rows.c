@@ -217,7 +217,7 @@ static ALWAYS_INLINE void fill_rows(const lmb_surface *surface, const lmb_paint 
 
 /* -------------------------------------------------------------------------------------------------------------- one colour */
 
-#if LMB_WITH_CORNERS || LMB_LOOPS
+#if LMB_WITH_CORNERS || (LMB_LOOPS && LMB_WITH_RAMPS)
 
 static NOINLINE void fill_solid_any(const lmb_surface *surface, lmb_triangle *t, uint16_t colour)
 {
