@@ -40,7 +40,7 @@ STACKED := gloss-Os everything-Os gloss-O2 everything-O2
 PARTS := ARC CORNERS PERSPECTIVE DEPTH LARGE LOBES RGB565 RGB888 LIGHTS
 
 .DEFAULT_GOAL := help
-.PHONY: help demo check deps report figures pictures size exhaustive tables check-tables tools models tests clean
+.PHONY: help demo check deps report replicate charts figures pictures size exhaustive tables check-tables tools models tests clean
 .PHONY: firmware run boards frames digests gate profile stack budgets
 .DELETE_ON_ERROR:
 .SECONDARY:
@@ -71,6 +71,17 @@ report: report_tools $(B)/report/size.csv $(B)/report/cycles.csv $(B)/report/ker
 	$(Q)mkdir -p $(B)/report
 	$(Q)for t in lobe arc span image; do \
 	    echo "$(B)/report/$$t.csv"; $(B)/bin/report_$$t > $(B)/report/$$t.csv || exit 1; done
+
+## replicate: what three papers claim beside what we measure, claim by claim; report/papers.csv
+replicate: $(B)/bin/replicate $(B)/report/kernel_cycles.csv
+	$(Q)$(B)/bin/replicate $(B)/report
+	$(Q)$(B)/bin/replicate --csv $(B)/report > $(B)/report/papers.csv
+
+## charts: draw docs/charts/*.svg and *.png anew from what we measure (needs gnuplot)
+charts: $(B)/bin/chart_data
+	$(Q)mkdir -p $(B)/charts
+	$(Q)$(B)/bin/chart_data $(B)/charts
+	$(Q)hosttest/charts.sh $(B)/charts docs/charts
 
 ## figures: write the README's table of figures anew
 figures: report
@@ -348,6 +359,16 @@ $(B)/bin/test_raster $(B)/bin/test_rows $(B)/bin/test_terms: $(B)/hosttest/shape
 $(B)/bin/test_obj: $(B)/port/host/polygon.o $(B)/port/host/mesh_build.o
 $(B)/bin/report_image: $(SCENES) $(REFERENCE)
 $(B)/bin/test_compare: $(patsubst %.c,$(B)/%.o,$(wildcard hosttest/compare/*.c)) $(SCENES) $(REFERENCE)
+
+# The papers, method by method: definitions in double, integer forms of comparisons, sweeps and claims.
+PAPERS := $(filter-out %/claim.o %/chart_data.o,$(patsubst %.c,$(B)/%.o,$(wildcard hosttest/papers/*.c hosttest/compare/*.c)))
+$(B)/bin/replicate: $(B)/hosttest/papers/claim.o $(PAPERS)
+$(B)/bin/chart_data: $(B)/hosttest/papers/chart_data.o $(PAPERS)
+$(B)/bin/replicate $(B)/bin/chart_data: $(B)/liblambent.a
+	@mkdir -p $(@D)
+	$(Q)$(LINK)
+$(B)/bin/test_papers%: $(PAPERS)
+$(B)/bin/report_lobe $(B)/bin/report_arc: $(PAPERS)
 
 $(B)/bin/test_image: $(B)/hosttest/test_image.o $(B)/hosttest/oiio.o $(SCENES) $(REFERENCE) $(B)/liblambent.a
 	@mkdir -p $(@D)

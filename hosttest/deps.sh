@@ -10,6 +10,8 @@ packages="$packages gcc-powerpc-linux-gnu libc6-dev-powerpc-cross qemu-user"
 # The boards: compilers and emulators.
 packages="$packages gcc-arm-none-eabi gcc-riscv64-unknown-elf gcc-xtensa-lx106 gcc-avr binutils-avr avr-libc"
 packages="$packages qemu-system-arm qemu-system-misc libsimavr-dev"
+# Charts.
+packages="$packages gnuplot-nox fonts-dejavu-core"
 # A libm for what others do with floats.
 packages="$packages libnewlib-arm-none-eabi"
 
