@@ -60,6 +60,13 @@ static inline double arc_angle(arc_vector a, arc_vector b)
 static inline int32_t arc_q30(double x) { return (int32_t)lround(fmin(fmax(x, -2), 2 - 1e-9) * 1073741824.0); }
 static inline int32_t arc_u_q28(double psi) { return (int32_t)lround(2 * sin(psi / 2) * sin(psi / 2) * 268435456.0); }
 
+/* v a little aside, rounded anew. */
+static inline lmb_vec arc_nudge(test_random *r, lmb_vec v)
+{
+    double reach = pow(10, test_real(r, -4.5, -0.5));
+    return arc_round(arc_unit(arc_blend(arc_from(v), 1, arc_random_unit(r), reach)), 16384);
+}
+
 /* A span between two normals, and a ray. */
 typedef struct arc_case {
     lmb_vec from, to, ray;

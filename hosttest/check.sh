@@ -102,9 +102,10 @@ $MAKE -s B="$build/gcc" CC=gcc check-tables 2>&1 | lines
 say "clang, and identical frames at every optimisation"
 build clang clang "" "" tests demo
 run clang-test_arc "$build/clang/bin/test_arc"
+run clang-test_beam "$build/clang/bin/test_beam"
 run clang-test_raster "$build/clang/bin/test_raster" 2
 run clang-test_terms "$build/clang/bin/test_terms" 2
-show clang-test_arc clang-test_raster clang-test_terms
+show clang-test_arc clang-test_beam clang-test_raster clang-test_terms
 for o in O0 Os O3; do build gcc-$o gcc "-$o" "" demo; done
 build clang-O3 clang "-O3" "" demo
 build halves gcc "-DLMB_LONG_PRODUCTS=0" "" demo "$build/halves/bin/test_raster" "$build/halves/bin/test_mesh"
