@@ -355,7 +355,7 @@ LINK = $(CC) $(LMB_CFLAGS) $(CFLAGS) $(filter %.o,$^) $(filter %.a,$^) -o $@ $(L
 REFERENCE := $(patsubst %.c,$(B)/%.o,$(wildcard hosttest/reference*.c))
 
 $(B)/bin/test_meshes: $(MESHES:%=$(B)/meshes/%.o)
-$(B)/bin/test_raster $(B)/bin/test_rows $(B)/bin/test_terms: $(B)/hosttest/shapes.o
+$(B)/bin/test_raster $(B)/bin/test_rows $(B)/bin/test_seam $(B)/bin/test_terms: $(B)/hosttest/shapes.o
 $(B)/bin/test_obj: $(B)/port/host/polygon.o $(B)/port/host/mesh_build.o
 $(B)/bin/report_image: $(SCENES) $(REFERENCE)
 $(B)/bin/test_compare: $(patsubst %.c,$(B)/%.o,$(wildcard hosttest/compare/*.c)) $(SCENES) $(REFERENCE)
@@ -368,6 +368,7 @@ $(B)/bin/replicate $(B)/bin/chart_data: $(B)/liblambent.a
 	@mkdir -p $(@D)
 	$(Q)$(LINK)
 $(B)/bin/test_papers%: $(PAPERS)
+$(B)/bin/test_rotation: $(B)/hosttest/papers/rotation.o
 $(B)/bin/report_lobe $(B)/bin/report_arc: $(PAPERS)
 
 $(B)/bin/test_image: $(B)/hosttest/test_image.o $(B)/hosttest/oiio.o $(SCENES) $(REFERENCE) $(B)/liblambent.a
