@@ -23,6 +23,7 @@
 
 #include "../tables/arc_table.h"
 #include "../tables/reciprocal_table.h"
+#include "../tables/series_table.h"
 
 /* lmb_arc.direct: 0 for a flat arc; else coefficients of d are coefficients of the difference of two f, and of a single pixel
  * none. */
@@ -73,18 +74,18 @@ static inline int32_t angle_over_sine_q28(int32_t u_q28)
 static inline int32_t sine_squared_q28(int32_t u_q28) { return lmb_sub(lmb_shl(u_q28, 1), square_q28(u_q28)); }
 
 /* What the series lack of their first terms: sin(x) = x (1 - sine_loss), 2 - 2 cos(x) = x^2 (1 - cosine_loss), for y = x^2 up to
- * 1.12. y/6 - y^2/120 + y^3/5040 ... and y/12 - y^2/360 + y^3/20160 ..., as cubics through Chebyshev nodes: off by at most 1.3e-7
- * and 2.7e-8, and about 2^-21 by rounding. */
+ * 1.12. y/6 - y^2/120 + y^3/5040 ... and y/12 - y^2/360 + y^3/20160 ..., as cubics (tables/gen_series.c), and about 2^-21 off by
+ * rounding. */
 static int32_t sine_loss_q28(int32_t y_q28)
 {
-    int32_t y_q15 = lmb_shr(y_q28, 13), h_q22 = lmb_sub(34945, lmb_shr(lmb_mul(y_q15, 52032), 21));
-    return product_q28(y_q28, lmb_sub(44739211, lmb_shr(lmb_mul(y_q15, h_q22), 9)));
+    int32_t y_q15 = lmb_shr(y_q28, 13), h_q22 = lmb_sub(SINE_LOSS_1_Q22, lmb_shr(lmb_mul(y_q15, SINE_LOSS_2_Q28), 21));
+    return product_q28(y_q28, lmb_sub(SINE_LOSS_0_Q28, lmb_shr(lmb_mul(y_q15, h_q22), 9)));
 }
 
 static int32_t cosine_loss_q28(int32_t y_q28)
 {
-    int32_t y_q15 = lmb_shr(y_q28, 13), h_q24 = lmb_sub(46597, lmb_shr(lmb_mul(y_q15, 13069), 19));
-    return product_q28(y_q28, lmb_sub(22369615, lmb_shr(lmb_mul(y_q15, h_q24), 11)));
+    int32_t y_q15 = lmb_shr(y_q28, 13), h_q24 = lmb_sub(COSINE_LOSS_1_Q24, lmb_shr(lmb_mul(y_q15, COSINE_LOSS_2_Q28), 19));
+    return product_q28(y_q28, lmb_sub(COSINE_LOSS_0_Q28, lmb_shr(lmb_mul(y_q15, h_q24), 11)));
 }
 
 /* sin(x) / sin(psi) and 1 - cos(x), where x = t phi, ratio = phi / sin(psi), p = phi^2. t <= 1, x^2 <= 1.12. */
