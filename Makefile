@@ -40,7 +40,7 @@ STACKED := gloss-Os everything-Os gloss-O2 everything-O2
 PARTS := ARC CORNERS PERSPECTIVE DEPTH LARGE LOBES RGB565 RGB888 LIGHTS
 
 .DEFAULT_GOAL := help
-.PHONY: help demo check deps report replicate charts figures pictures size exhaustive tables check-tables tools models tests clean
+.PHONY: help demo check deps report replicate stability charts figures pictures size exhaustive tables check-tables tools models tests clean
 .PHONY: firmware run boards frames digests gate profile stack budgets
 .DELETE_ON_ERROR:
 .SECONDARY:
@@ -76,6 +76,12 @@ report: report_tools $(B)/report/size.csv $(B)/report/cycles.csv $(B)/report/ker
 replicate: $(B)/bin/replicate $(B)/report/kernel_cycles.csv
 	$(Q)$(B)/bin/replicate $(B)/report
 	$(Q)$(B)/bin/replicate --csv $(B)/report > $(B)/report/papers.csv
+
+## stability: where each method is safe and what it does elsewhere, by sweeps; report/stability.csv
+stability: $(B)/bin/stability
+	$(Q)mkdir -p $(B)/report
+	$(Q)$(B)/bin/stability
+	$(Q)$(B)/bin/stability --csv 2> /dev/null > $(B)/report/stability.csv
 
 ## charts: draw docs/charts/*.svg and *.png anew from what we measure (needs gnuplot)
 charts: $(B)/bin/chart_data
@@ -361,10 +367,11 @@ $(B)/bin/report_image: $(SCENES) $(REFERENCE)
 $(B)/bin/test_compare: $(patsubst %.c,$(B)/%.o,$(wildcard hosttest/compare/*.c)) $(SCENES) $(REFERENCE)
 
 # The papers, method by method: definitions in double, integer forms of comparisons, sweeps and claims.
-PAPERS := $(filter-out %/claim.o %/chart_data.o,$(patsubst %.c,$(B)/%.o,$(wildcard hosttest/papers/*.c hosttest/compare/*.c)))
+PAPERS := $(filter-out %/claim.o %/chart_data.o %/stability.o,$(patsubst %.c,$(B)/%.o,$(wildcard hosttest/papers/*.c hosttest/compare/*.c)))
 $(B)/bin/replicate: $(B)/hosttest/papers/claim.o $(PAPERS)
 $(B)/bin/chart_data: $(B)/hosttest/papers/chart_data.o $(PAPERS)
-$(B)/bin/replicate $(B)/bin/chart_data: $(B)/liblambent.a
+$(B)/bin/stability: $(B)/hosttest/papers/stability.o $(PAPERS)
+$(B)/bin/replicate $(B)/bin/chart_data $(B)/bin/stability: $(B)/liblambent.a
 	@mkdir -p $(@D)
 	$(Q)$(LINK)
 $(B)/bin/test_papers%: $(PAPERS)

@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: MIT
-# What all charts share. Called with: ARG1 the chart's script, ARG2 the folder of its data, ARG3 the file to write (.svg or .png).
+# What all charts share. Called with: ARG1 the chart's script, ARG2 the folder of its data, ARG3 the file to write (.svg or .png),
+# ARG4 its height: charts are 800 wide, and as high as the line "# height: N" of their script says, or 500.
 #
 # Colours are those of Okabe and Ito, which the colour-blind tell apart; dashes and points tell lines apart in greyscale too.
 # 1 is for what is exact or wanted, 2 for what is ours, the others for what is compared.
 
 data = ARG2
 if (ARG3[strlen(ARG3)-3:] eq ".png") {
-    set terminal pngcairo size 800,500 font "DejaVu Sans,11" enhanced background rgb "white"
+    set terminal pngcairo size 800,int(ARG4) font "DejaVu Sans,11" enhanced background rgb "white"
 } else {
-    set terminal svg size 800,500 font "DejaVu Sans,13" enhanced background rgb "white"
+    set terminal svg size 800,int(ARG4) font "DejaVu Sans,13" enhanced background rgb "white"
 }
 set output ARG3
 set encoding utf8
@@ -29,7 +30,5 @@ set grid lc rgb "#DDDDDD" lw 1 dt 1
 set key top right Left reverse samplen 4 spacing 1.15 opaque box lc rgb "#DDDDDD"
 set samples 400
 
-# Errors as colours, dark where small: luminance rises evenly, so greyscale reads the same.
-set palette defined (0 "#00224E", 0.25 "#414D6B", 0.5 "#7C7B78", 0.75 "#BCAF6F", 1 "#FEE838")
-
+charts = ARG1[:strlen(ARG1) - strlen(system(sprintf("basename '%s'", ARG1)))]
 load ARG1

@@ -36,5 +36,6 @@ int main(int argc, char **argv)
     }
     charts_lobes(argv[1]);
     charts_steps(argv[1]);
+    charts_stability(argv[1]);
     return EXIT_SUCCESS;
 }

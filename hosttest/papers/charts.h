@@ -10,7 +10,8 @@ FILE *chart_open(const char *folder, const char *name);
 void chart_close(FILE *file);
 
 /* Each writes the data of its charts into a folder. */
-void charts_lobes(const char *folder); /* papers 000 and 003 */
-void charts_steps(const char *folder); /* paper 001 */
+void charts_lobes(const char *folder);     /* papers 000 and 003 */
+void charts_steps(const char *folder);     /* paper 001 */
+void charts_stability(const char *folder); /* where methods fail */
 
 #endif
