@@ -53,7 +53,7 @@ static inline unsigned raise_pixels(uint32_t *x)
  *     d = step (rise + (a + b) B (1 - 2t - step)),    c = -(a + b) 2B step^2
  * and what (a + b) is multiplied by is the same for all terms. 25/64 u for both powers of u is 2^-13 of B off. A pixel is step
  * 2^-down of the span. Where the span is shorter than a pixel there is no second one, and step does not count. */
-void lmb_curve_prepare(lmb_curve *curve, int32_t u_q28, uint32_t length, uint32_t start)
+static inline void prepare(lmb_curve *curve, int32_t u_q28, uint32_t length, uint32_t start)
 {
     const uint32_t u_q15 = (uint32_t)u_q28 >> 13, bow_q20 = ((uint32_t)u_q28 >> 9) + (lmb_mulu(u_q15, u_q15) >> 10) * 3 / 16;
     uint32_t m_q31 = length, step_q16, first_q16, part_q16;
@@ -75,6 +75,13 @@ void lmb_curve_prepare(lmb_curve *curve, int32_t u_q28, uint32_t length, uint32_
     curve->slant_q19 = lmb_shr(lmb_mul((int32_t)bow_q20, lmb_shr(65538 - (int32_t)(2 * first_q16) - (int32_t)part_q16, 2)), 15);
     curve->above_q22 = (int32_t)(lmb_mulu(bow_q20, lmb_mulu(first_q16, 65536 - first_q16) >> 16) >> 14);
     curve->bow_q20 = -(int32_t)(lmb_mulu(bow_q20, lmb_mulu(step_q16, step_q16) >> 16) >> 15);
+}
+
+bool lmb_curve_prepare(lmb_curve *curve, int32_t u_q28, uint32_t length, uint32_t start)
+{
+    if (u_q28 > LMB_CURVE_U_MAX || length > LMB_CURVE_LENGTH_MAX) return false;
+    prepare(curve, u_q28, length, start);
+    return true;
 }
 
 /* c rounded to nearest, as it counts half the square of the length times. */
@@ -155,8 +162,7 @@ bool lmb_run_rough(const lmb_triangle *t, lmb_span *span, const lmb_run *run)
     uint8_t *exponent = span->exponent;
     lmb_curve curve;
     unsigned n;
-    if (u_q28 > LMB_CURVE_U_MAX) return false;
-    lmb_curve_prepare(&curve, u_q28, run->length, run->start);
+    if (!lmb_curve_prepare(&curve, u_q28, run->length, run->start)) return false;
     FORGET();
     span->kind = LMB_SPAN_PLANE;
     n = lmb_look_lights(t->look);

@@ -13,7 +13,7 @@ typedef struct lmb_run {
     uint32_t length, start;
 } lmb_run;
 
-/* All terms of a run of up to LMB_CURVE_LENGTH_MAX, by rough curves; false where the normals turn too far for them. */
+/* All terms of a run, by rough curves; false where it is too long or its normals turn too far for them. */
 bool lmb_run_rough(const lmb_triangle *triangle, lmb_span *span, const lmb_run *run);
 
 /* By curves or arcs. */
@@ -22,7 +22,7 @@ void lmb_run_exact(const lmb_triangle *triangle, lmb_span *span, lmb_run *run);
 /* All terms of a run whose ends have been placed. The span becomes LMB_SPAN_PLANE where a curve is good enough. */
 static inline void lmb_run_terms(const lmb_triangle *triangle, lmb_span *span, lmb_run *run)
 {
-    if (triangle->rays->rough && run->length <= LMB_CURVE_LENGTH_MAX && lmb_run_rough(triangle, span, run)) return;
+    if (triangle->rays->rough && lmb_run_rough(triangle, span, run)) return;
     lmb_run_exact(triangle, span, run);
 }
 

@@ -102,9 +102,8 @@ void lmb_run_exact(const lmb_triangle *t, lmb_span *span, lmb_run *run)
     const int32_t u_q28 = lmb_ends_measure(&run->ends);
     lmb_curve curve;
     unsigned i;
-    if (u_q28 <= t->rays->curve_q28 && run->length <= LMB_CURVE_LENGTH_MAX) {
+    if (u_q28 <= t->rays->curve_q28 && lmb_curve_prepare(&curve, u_q28, run->length, run->start)) {
         span->kind = LMB_SPAN_PLANE;
-        lmb_curve_prepare(&curve, u_q28, run->length, run->start);
     } else {
         lmb_arc_prepare(&span->arc, u_q28, run->length, run->start);
     }

@@ -373,9 +373,8 @@ void lmb_arc_beam_rough(const lmb_arc *arc, lmb_term *term, const lmb_ends *ends
 void lmb_arc_start_rough(const lmb_arc *arc, lmb_term *term, int32_t a_q30, int32_t rise_q30);
 
 /* Where the normals turn little a parabola stands for the arc, through its ends and its middle. Its terms run by lmb_plane_step,
- * as those of LMB_SPAN_PLANE; set-up takes two thirds of an arc's time. length and start as for arcs.
- *   u_q28   up to LMB_CURVE_U_MAX
- *   length  up to LMB_CURVE_LENGTH_MAX
+ * as those of LMB_SPAN_PLANE; set-up takes two thirds of an arc's time. lmb_curve_prepare takes length and start as for arcs, and
+ * returns false, with nothing written, for u_q28 above LMB_CURVE_U_MAX or length above LMB_CURVE_LENGTH_MAX: that wants an arc.
  * lmb_curve_limit_q28 gives the u up to which lmb_curve_beam is good enough for diffuse terms and for a highlight of exponent n: with
  * the errors that arcs have (LMB_SPAN_...). lmb_curve_beam_rough takes half of its time, needs no excess of the ends, and serves any
  * u for diffuse terms and exponents up to LMB_CURVE_ROUGH_SHININESS: LMB_CURVE_ROUGH_MAX_ERROR, a quarter of a level of 63. */
@@ -384,7 +383,7 @@ void lmb_arc_start_rough(const lmb_arc *arc, lmb_term *term, int32_t a_q30, int3
 #define LMB_CURVE_ROUGH_MAX_ERROR (0.25 / 63)
 #define LMB_CURVE_ROUGH_SHININESS 32
 int32_t lmb_curve_limit_q28(unsigned n);
-void lmb_curve_prepare(lmb_curve *curve, int32_t u_q28, uint32_t length, uint32_t start);
+bool lmb_curve_prepare(lmb_curve *curve, int32_t u_q28, uint32_t length, uint32_t start);
 void lmb_curve_start(const lmb_curve *curve, lmb_term *term, int32_t a_q30, int32_t rise_q30);
 void lmb_curve_beam(const lmb_curve *curve, lmb_term *term, const lmb_ends *ends, const lmb_beam *beam);
 void lmb_curve_beam_rough(const lmb_curve *curve, lmb_term *term, const lmb_ends *ends, const lmb_beam *beam);

@@ -25,7 +25,7 @@ static double way_error(const arc_case *c, enum way way, uint32_t scale, unsigne
     lmb_beam_prepare(&beam, c->ray, scale);
     u = lmb_ends_u_q28(&ends);
     if (way >= CURVE) {
-        lmb_curve_prepare(&curve, u, c->length, c->start);
+        if (!lmb_curve_prepare(&curve, u, c->length, c->start)) return INFINITY; /* refused */
         if (way == CURVE) lmb_curve_beam(&curve, &term, &ends, &beam);
         if (way == CURVE_ROUGH) lmb_curve_beam_rough(&curve, &term, &ends, &beam);
     } else {
@@ -171,7 +171,7 @@ static void test_starts(test_random *r)
         lmb_term term;
         uint32_t x;
         if (curved) {
-            lmb_curve_prepare(&curve, arc_u_q28(psi), length, start);
+            if (!lmb_curve_prepare(&curve, arc_u_q28(psi), length, start)) abort();
             lmb_curve_start(&curve, &term, a, rise);
         } else {
             lmb_arc_prepare(&arc, arc_u_q28(psi), length, start);

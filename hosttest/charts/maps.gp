@@ -5,7 +5,7 @@
 
 n = words(panels)
 down = int(ceil(n / (across + 0.0)))
-set multiplot layout down,across margins 0.10,0.90,0.09,0.91 spacing 0.035,0.075 title title font ",14"
+set multiplot layout down,across margins 0.10,0.90,0.10,0.88 spacing 0.035,0.075 title title font ",14"
 set cbrange [low:high]
 level = -2.41 # 1/255
 set palette defined (low "#00224E", level "#7A93B5", level "#D9A92C", high "#FFF9CC")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# height: 760
+# height: 800
 file = data . "/stability-lobes-absolute.dat"
 title = "Lobes: absolute error against cos^n"
 panels = "schlick gauss chebyshev_published w4 w8 w16 table256 chebyshev_refit lambent"

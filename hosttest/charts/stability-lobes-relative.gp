@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# height: 760
+# height: 800
 file = data . "/stability-lobes-relative.dat"
 title = "Lobes: relative error where cos^n is over a tenth of a level of 255"
 panels = "schlick gauss chebyshev_published w4 w8 w16 table256 chebyshev_refit lambent"

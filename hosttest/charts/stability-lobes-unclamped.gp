@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# height: 560
+# height: 600
 file = data . "/stability-lobes-unclamped.dat"
 title = "Lobes before their clamp: absolute error"
 panels = "w2 w4 w8 w16 chebyshev_published lambent"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# height: 560
+# height: 600
 file = data . "/stability-spans-16.dat"
 title = "Largest error along a span, 16-bit arithmetic"
 panels = "plain16 eq7_vector16 block4 normalise_sqrt forward_length reflection_map"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# height: 760
+# height: 800
 file = data . "/stability-spans-32.dat"
 title = "Largest error along a span, 32-bit arithmetic"
 panels = "linear quadratic lyon_taylor kuijk_blake plain32 block4_32 eq7_vector32 normalise_textbook lambent"

@@ -13,7 +13,7 @@ static const struct words {
     {"span", "quadratic", "the cubic part is lost: psi^3 / 125 and from some 60 degrees on more"},
     {"span", "normalise",
      "normals run faster in the middle than at the ends; opposite ones meet at zero and have no direction there"},
-    {"span", "float_normalise", "as normalise"},
+    {"span", "float_", "as its form in double, nearly"},
     {"span", "slerp", "opposite normals span no plane"},
     {"span", "kuijk_blake", "opposite normals span no plane; angles are as fine as their table"},
     {"span", "lyon_taylor", "as normalise; beyond some 60 degrees three terms of the series no longer reach unit length"},
