@@ -158,8 +158,33 @@ static void test_span_choice(void)
                  "%d of %u spans ran as something else; N.L within %.2g throughout", wrong, i, worst);
 }
 
-/* Corners' normals any angle apart, up to opposite ones: terms of quadratics stay within the net of a turn of 120 degrees, whose bulge
- * doubles the mean, and never wrap; those of arcs within one. */
+/* The middle of an edge, lit from straight above it: its normal's cosine is one up to a turn of 120 degrees, and beyond twice the mean
+ * of the corners', as if they were 120 degrees apart. */
+static void test_quadratic_turn(void)
+{
+    static const arc_vector light = {0, 0, 1};
+    double worst = 0, at[2] = {0, 0};
+    int psi;
+    look_make(LMB_STEP_QUADRATIC, light, 0);
+    for (psi = 40; psi <= 170; psi += 10) {
+        const lmb_window window = {0, 0, 512, 1024, false};
+        lmb_vertex v[3];
+        lmb_triangle t;
+        lmb_span span;
+        double f, mean, want;
+        slab(v, 101, 1000, psi * ARC_PI / 180);
+        mean = (arc_inner(arc_from(v[0].normal), light) + arc_inner(arc_from(v[2].normal), light)) / 2;
+        want = mean * fmin(2, 1 / cos(arc_angle(arc_from(v[0].normal), arc_from(v[2].normal)) / 2));
+        if (!lmb_triangle_begin(&t, &look, &rays, &v[0], &v[1], &v[2], &window) || !lmb_triangle_next(&t, &span)) abort();
+        f = (span.diffuse[0].f + 50.0 * span.diffuse[0].d + 50 * 49 / 2.0 * span.diffuse[0].c) / ONE;
+        worst = fmax(worst, fabs(f - want));
+        if (psi == 120) at[0] = f;
+        if (psi == 170) at[1] = f;
+    }
+    test_verdict(worst <= 0.003, "beyond_quadratic_turn", "within %.2g: %.3f at 120 degrees, %.3f at 170", worst, at[0], at[1]);
+}
+
+/* Corners' normals any angle apart, up to opposite ones: terms stay near [-1, 1] and never wrap. */
 static void test_wide_turns(test_random *r)
 {
     double quadratic = 0, arc = 0;
@@ -185,7 +210,7 @@ static void test_wide_turns(test_random *r)
             }
         }
     }
-    test_verdict(quadratic < 1.9 && arc <= 1.001, "beyond_wide_turns",
+    test_verdict(quadratic <= 1.1 && arc <= 1.001, "beyond_wide_turns",
                  "|N.L| up to %.3f by quadratics, %.4f by arcs, normals anywhere", quadratic, arc);
 }
 
@@ -241,6 +266,7 @@ int main(int argc, char **argv)
     test_arc_length(&r);
     test_curve();
     test_span_choice();
+    test_quadratic_turn();
     test_wide_turns(&r);
     test_zero_normals(&r);
     test_grazing(&r);
