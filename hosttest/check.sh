@@ -92,6 +92,9 @@ say "README example"
 run readme hosttest/test_readme.sh "$build/gcc" gcc
 show readme
 
+say "documents"
+hosttest/test_docs.sh 2>&1 | lines
+
 say "configurations"
 run configurations hosttest/test_configs.sh "$build/gcc" gcc
 show configurations
