@@ -3,13 +3,9 @@
  *
  * Semihosting asks the debugger with BKPT 0xAB: operation in r0, its argument in r1, the answer in r0. Without a debugger that
  * is a fault; on a board that runs alone a serial port takes the place of semihost() here. */
-#include "../board.h"
+#include "../semihosting.h"
 #include "cortex-m.h"
 
-enum { SYS_OPEN = 0x01, SYS_CLOSE = 0x02, SYS_WRITE0 = 0x04, SYS_WRITE = 0x05, SYS_EXIT_EXTENDED = 0x20 };
-enum { OPEN_WB = 5, APPLICATION_EXIT = 0x20026 };
-
-static int file;
 static volatile uint32_t wraps;
 
 static int semihost(int operation, const void *argument)
@@ -40,33 +36,4 @@ uint32_t lmb_board_cycles(void)
         below = SYSTICK_VALUE;
     } while (above != wraps || (ICSR & ICSR_TICK_PENDING));
     return above * 0x1000000 - below + (below ? 0x1000000 : 0);
-}
-
-void lmb_board_print(const char *text) { semihost(SYS_WRITE0, text); }
-
-int lmb_board_open(const char *name)
-{
-    uintptr_t argument[3] = {(uintptr_t)name, OPEN_WB, 0};
-    while (name[argument[2]]) argument[2]++;
-    file = semihost(SYS_OPEN, argument);
-    return file == -1 ? -1 : 0;
-}
-
-/* SYS_WRITE answers with the bytes that it has not written. */
-int lmb_board_write(const void *bytes, size_t n)
-{
-    const uintptr_t argument[3] = {(uintptr_t)file, (uintptr_t)bytes, n};
-    return semihost(SYS_WRITE, argument) == 0 ? 0 : -1;
-}
-
-int lmb_board_close(void)
-{
-    const uintptr_t argument[1] = {(uintptr_t)file};
-    return semihost(SYS_CLOSE, argument) == 0 ? 0 : -1;
-}
-
-void lmb_board_exit(int status)
-{
-    const uintptr_t argument[2] = {APPLICATION_EXIT, (uintptr_t)status};
-    for (;;) semihost(SYS_EXIT_EXTENDED, argument);
 }
