@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* make stability: where each method is safe, found by sweeps, and what it does elsewhere.
- * usage: stability [--csv] */
+ * usage: stability [--csv | --markdown] */
 #include "stability.h"
 
 #include <string.h>
@@ -29,13 +29,26 @@ static void print_csv(const stability_row *row, int rows)
                row[i].safe ? "yes" : "no");
 }
 
+/* Of what runs on a target, and of a triangle that is turned. */
+static void print_markdown(const stability_row *row, int rows)
+{
+    int i;
+    printf("| | method | arithmetic | safe where | worst anywhere | beyond |\n|---|---|---|---|---|---|\n");
+    for (i = 0; i < rows; i += 2) {
+        const char *outside = stability_outside(row[i].kind, row[i].method);
+        if (!strncmp(row[i].arithmetic, "double", 6) && strcmp(row[i].kind, "turned")) continue;
+        printf("| %s | `%s` | %s | %s | %.2g | %s |\n", row[i].kind, row[i].method, row[i].arithmetic,
+               row[i].safe ? row[i].region : "nowhere", row[i + 1].max_abs_error, outside ? outside : "?");
+    }
+}
+
 int main(int argc, char **argv)
 {
     static stability_row row[ROOM];
-    const bool csv = argc == 2 && !strcmp(argv[1], "--csv");
+    const bool csv = argc == 2 && !strcmp(argv[1], "--csv"), markdown = argc == 2 && !strcmp(argv[1], "--markdown");
     int rows = 0;
-    if (argc > 1 && !csv) {
-        fprintf(stderr, "usage: stability [--csv]\n");
+    if (argc > 1 && !csv && !markdown) {
+        fprintf(stderr, "usage: stability [--csv | --markdown]\n");
         return 2;
     }
     fprintf(stderr, "stability: spans ...\n");
@@ -46,6 +59,8 @@ int main(int argc, char **argv)
     rows += stability_of_rotation(row + rows, ROOM - rows);
     if (csv)
         print_csv(row, rows);
+    else if (markdown)
+        print_markdown(row, rows);
     else
         print_text(row, rows);
     return fflush(stdout) ? EXIT_FAILURE : EXIT_SUCCESS;
