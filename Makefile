@@ -204,12 +204,16 @@ $(B)/gen/gen_icosphere $(B)/gen/gen_torus $(B)/gen/gen_teapot: $(B)/gen/gen_%: $
 $(B)/gen/gen_%: $(B)/gen/gen_%.o
 	$(Q)$(CC) $(LMB_CFLAGS) $(CFLAGS) $^ -o $@ $(LDFLAGS) -lm
 
-$(B)/meshes/icosphere_320.c: $(B)/gen/gen_icosphere
+# icosphere_N: N = 20 * 4^times
+sphere.20 := 0
+sphere.80 := 1
+sphere.320 := 2
+sphere.1280 := 3
+sphere.5120 := 4
+sphere.20480 := 5
+$(B)/meshes/icosphere_%.c: $(B)/gen/gen_icosphere
 	@mkdir -p $(@D)
-	$(Q)$< 2 mesh_icosphere_320 $@
-$(B)/meshes/icosphere_1280.c: $(B)/gen/gen_icosphere
-	@mkdir -p $(@D)
-	$(Q)$< 3 mesh_icosphere_1280 $@
+	$(Q)$< $(sphere.$*) mesh_icosphere_$* $@
 $(B)/meshes/torus.c: $(B)/gen/gen_torus
 	@mkdir -p $(@D)
 	$(Q)$< 48 24 mesh_torus $@

@@ -14,6 +14,10 @@ PROFILED := $(filter m0plus m0 m3 m4 m33 m55 rv32imc rv32i rv32ec atmega1284p lx
 
 # ----------------------------------------------------------------------------------------------------------------- per target
 
+# Spheres of so many triangles beside those of the scenes, and the cores on which growth is measured: their emulators have room.
+GROWTH := 20 80 5120 20480
+GROWING := m0plus m4 rv32imc
+
 # NAME.profile_ld       memory map of the benchmark, where the board's has no room for a frame
 # NAME.profile_run      command, where it is another: $(1) is the image, $(2) options for QEMU
 # NAME.profile_flags    for the benchmark
@@ -114,6 +118,14 @@ $(B)/profile/$1/%.out: $(B)/profile/$1/%.elf $(B)/profile/$(if $(filter avr-,$($
 	$$(Q)rm -f $$@
 	$$(Q)$$(call profile_execute,$1,$$(abspath $$(basename $$@)))
 
+$(B)/profile/$1/growth.elf: $(PROFILE)/growth.c port/demo/scenes.c $(B)/firmware/$1/$(PROFILE)/mark.o \
+    $(GROWTH:%=$(B)/firmware/$1/meshes/icosphere_%.o) $(filter-out %/scenes.o,$($1.support)) $(B)/firmware/$1/liblambent.a \
+    $(call profile_ld,$1)
+	@mkdir -p $$(@D)
+	$$(Q)$$($1.compile) $$(CFLAGS) -DSCENES=SCENE_WITH_ICOSPHERE_320 $$(filter %.c %.o %.a,$$^) -o $$@ \
+	    $$(call profile_link,$1) $$(LDFLAGS) -lgcc
+	$$(Q)$$(call profile_listing,$1,$$(basename $$@))
+
 .PHONY: profile-$1
 profile-$1: $(B)/profile/report $(B)/profile/$1/chosen.out
 	$$(Q)$$< table $(B)/profile/$1/chosen.out $$(if $$(LIST),$$(LIST) $(B)/profile/$1/chosen.lst)
@@ -130,6 +142,12 @@ $(B)/report/kernel_cycles.csv: $(B)/profile/report $(PROFILED:%=$(B)/profile/%/a
 	@mkdir -p $(@D)
 	$(Q){ echo core,kernel,unit,instructions,cycles; \
 	    for t in $(PROFILED); do $< kernels $(B)/profile/$$t/all.out || exit 1; done; } > $@
+
+# How cost grows.
+$(B)/report/growth.csv: $(B)/profile/report $(GROWING:%=$(B)/profile/%/growth.out)
+	@mkdir -p $(@D)
+	$(Q){ echo core,axis,value,model,vertices,triangles,drawn,spans,pixels,strips,instructions,cycles; \
+	    for t in $(GROWING); do $< growth $(B)/profile/$$t/growth.out || exit 1; done; } > $@
 
 profile-help:
 	@echo 'make profile TARGET=... [SCENE=...] [MODEL=...] [LIST=function] [MULTIPLIER=32]'

@@ -5,6 +5,8 @@
  *   report cycles FILE                     core,scene,model,format,triangles,pixels,instructions_per_pixel,cycles_per_pixel,
  *                                          cycles_min,cycles_max: of a whole frame, cycles per pixel; empty where not known
  *   report kernels FILE                    core,kernel,unit,instructions,cycles: of one unit
+ *   report growth FILE                     core,axis,value,model,vertices,triangles,drawn,spans,pixels,strips,instructions,cycles: of
+ *                                          a whole frame
  *
  * Fails if the file is not complete, if control went where it cannot go, or if an instruction was not in the cycle table.
  */
@@ -35,7 +37,7 @@ typedef struct at {
 } at;
 
 enum source { CYCLES_NONE, CYCLES_TABLE, CYCLES_TOLD };
-enum output { TABLE, CYCLES, KERNELS };
+enum output { TABLE, CYCLES, KERNELS, GROWTH };
 
 static struct state {
     enum output output;
@@ -226,6 +228,18 @@ static void csv_cycles(void)
     }
 }
 
+/* Of a scene named AXIS-VALUE. */
+static void csv_growth(void)
+{
+    const char *dash = strrchr(s.scene, '-');
+    if (!dash) profile_fail("scene %s has no value", s.scene);
+    printf("%s,%.*s,%s,%s,%.0f,%.0f,%.0f,%.0f,%.0f,%.0f,%.0f,", s.core, (int)(dash - s.scene), s.scene, dash + 1, s.model,
+           s.vertices, s.triangles, s.drawn, s.spans, s.pixels, (double)(int)((s.size + s.rows - 1) / s.rows),
+           s.total.instructions);
+    if (s.source != CYCLES_NONE) printf("%.0f", s.total.nominal);
+    putchar('\n');
+}
+
 static void csv_kernel(double instructions, double cycles)
 {
     printf("%s,%s,%s,%.3f,", s.core, s.kernel, s.unit, instructions);
@@ -324,6 +338,7 @@ static bool read_kernel(const char *text)
 static void scene_done(const program *listing)
 {
     if (s.output == CYCLES) csv_cycles();
+    if (s.output == GROWTH) csv_growth();
     if (s.output == TABLE) {
         print_head();
         print_totals();
@@ -387,11 +402,14 @@ static void read_line(char *line, const program *listing)
 
 int main(int argc, char **argv)
 {
+    static const char *const outputs[] = {"table", "cycles", "kernels", "growth"};
     static char line[1000];
+    int i;
     static program listing;
     FILE *f;
-    if (argc != 3 && argc != 5) profile_fail("usage: report table|cycles|kernels FILE [FUNCTION LISTING]");
-    s.output = !strcmp(argv[1], "cycles") ? CYCLES : !strcmp(argv[1], "kernels") ? KERNELS : TABLE;
+    if (argc != 3 && argc != 5) profile_fail("usage: report table|cycles|kernels|growth FILE [FUNCTION LISTING]");
+    for (i = 0; i < 4; i++)
+        if (!strcmp(argv[1], outputs[i])) s.output = (enum output)i;
     if (argc == 5) {
         list_function = argv[3];
         list_path = argv[4];
