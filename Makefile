@@ -211,7 +211,8 @@ sphere.320 := 2
 sphere.1280 := 3
 sphere.5120 := 4
 sphere.20480 := 5
-$(B)/meshes/icosphere_%.c: $(B)/gen/gen_icosphere
+SPHERES := 20 80 320 1280 5120 20480
+$(SPHERES:%=$(B)/meshes/icosphere_%.c): $(B)/meshes/icosphere_%.c: $(B)/gen/gen_icosphere
 	@mkdir -p $(@D)
 	$(Q)$< $(sphere.$*) mesh_icosphere_$* $@
 $(B)/meshes/torus.c: $(B)/gen/gen_torus

@@ -8,31 +8,56 @@
 #include "triangle.h"
 #include "vec.h"
 
-#define PLAIN_MAX (2047 * 16) /* 1/16 pixel: two products of that fit */
+#define PLAIN_MAX (2046 * 16) /* 1/16 pixel: two products of that fit */
 
 static bool is_flat(const lmb_walk *walk) { return LMB_WITH_CORNERS && walk->look->model == LMB_MODEL_FLAT; }
 
 #if LMB_SHORT_CUTS
 
-/* Whether triangles are simply read, one after the other: with corners projected before, all of them in the window, which is so small
- * that two products of a cross product fit. LMB_NOT_ON_SCREEN is in no window. */
-static bool is_plain(const lmb_walk *walk)
+/* Whether triangles are simply read, one after the other: with corners projected before, all of them in columns of the window and in
+ * rows so near that two products of a cross product fit. LMB_NOT_ON_SCREEN is in no window. */
+static bool is_plain(lmb_walk *walk)
 {
     const lmb_window *w = walk->window;
     const lmb_vertex *v = walk->vertices, *end = v + walk->screen.mesh->vertices;
     const int32_t left = lmb_shl(w->left, 4), right = lmb_shl(w->right, 4), top = lmb_shl(w->top, 4),
                   bottom = lmb_shl(w->bottom, 4);
-    bool in = right - left < PLAIN_MAX && bottom - top < PLAIN_MAX;
-    if (!v || walk->order || is_flat(walk)) return false;
-    for (; in && v != end; v++) in = v->x >= left && v->x <= right && v->y >= top && v->y <= bottom;
-    return in;
+    if (!v || walk->order || is_flat(walk) || right - left >= PLAIN_MAX) return false;
+    while (v != end && v->x >= left && v->x <= right && v->y >= top && v->y <= bottom) v++;
+    walk->strip = v != end || bottom - top >= PLAIN_MAX;
+    if (!walk->strip) return true;
+    for (v = walk->vertices; v != end && v->x >= left && v->x <= right; v++) {
+        if ((uint32_t)lmb_add(v->y, PLAIN_MAX / 2) >= PLAIN_MAX) return false;
+    }
+    return v == end;
 }
 
-/* The next triangle of such a mesh. */
+/* The next triangle of such a mesh that has rows in the window. */
+static bool next_in_strip(lmb_walk *walk, lmb_triangle *triangle)
+{
+    const LMB_FLASH uint16_t *index = walk->plain, *const end = walk->end;
+    const lmb_vertex *const v = walk->vertices;
+    /* lmb_row_at: corners up to above have no row below the window's first edge, those from below on none above its last */
+    const int32_t above = lmb_add(lmb_shl(walk->window->top, 4), 8), below = lmb_sub(lmb_shl(walk->window->bottom, 4), 7);
+    triangle->inside = true;
+    while (index != end) {
+        const lmb_vertex *a = &v[*index++], *b = &v[*index++], *c = &v[*index++];
+        const int32_t x = a->x, y = a->y;
+        if (y <= above ? b->y <= above && c->y <= above : y >= below && b->y >= below && c->y >= below) continue;
+        if (lmb_mul(lmb_sub(b->x, x), lmb_sub(c->y, y)) >= lmb_mul(lmb_sub(c->x, x), lmb_sub(b->y, y))) continue;
+        walk->plain = index;
+        if (lmb_triangle_front(triangle, a, b, c, walk->window)) return true;
+    }
+    walk->plain = end;
+    return false;
+}
+
+/* The next triangle of one that lies wholly in the window. */
 static bool next_plain(lmb_walk *walk, lmb_triangle *triangle)
 {
     const LMB_FLASH uint16_t *index = walk->plain, *const end = walk->end;
     const lmb_vertex *const v = walk->vertices;
+    if (walk->strip) return next_in_strip(walk, triangle);
     triangle->inside = true;
     while (index != end) {
         const lmb_vertex *a = &v[*index++], *b = &v[*index++], *c = &v[*index++];

@@ -119,13 +119,16 @@ static void shot_set(test_random *random, shot *s, const sphere *ball, int persp
     s->mesh = &ball->mesh;
 }
 
-static void shot_draw(const shot *s, memory *m, int format, lmb_window w, size_t spare, bool depth)
+/* projected: with corners projected before. */
+static void shot_draw(const shot *s, memory *m, int format, lmb_window w, size_t spare, bool depth, bool projected)
 {
+    static lmb_vertex vertices[3 * SPHERE_TRIANGLES];
     lmb_paint paint;
     memory_surface(m, format, w, spare, depth);
     lmb_clear(&m->surface, s->back);
     lmb_paint_prepare(&paint, &s->look, (enum lmb_format)format);
-    lmb_draw_mesh(&m->surface, s->mesh, &s->pose, &s->camera, &paint, NULL, NULL);
+    if (projected) lmb_mesh_project(s->mesh, &s->pose, &s->camera, vertices);
+    lmb_draw_mesh(&m->surface, s->mesh, &s->pose, &s->camera, &paint, projected ? vertices : NULL, NULL);
 }
 
 /* Pixels of a part that are not those of the whole. */
@@ -143,8 +146,8 @@ static int part_differs(const memory *whole, const memory *part)
 static const char *const model_names[] = {"flat", "gouraud", "diffuse", "gloss"};
 static const char *const step_names[] = {"linear", "quadratic", "arc"};
 
-/* A frame whole and in strips of every height, and in windows of any size, one light and several, with depth and without: the
- * same bytes. */
+/* A frame whole and in strips of every height, and in windows of any size, one light and several, with depth and without, corners
+ * projected before or not: the same bytes. */
 static void test_strips(test_random *random, int model, int step, int format)
 {
     static sphere ball;
@@ -156,12 +159,12 @@ static void test_strips(test_random *random, int model, int step, int format)
         const bool depth = i >> 1;
         shot_set(random, &s, &ball, i == 0, i & 1 ? 3 : 2, i & 1 ? 9 : 4);
         random_look(random, &s.look, model, step, i & 1 ? (unsigned)test_integer(random, 2, LMB_LIGHTS) : 1);
-        shot_draw(&s, &whole, format, window_of(0, 0, FRAME_W, FRAME_H), 0, depth);
+        shot_draw(&s, &whole, format, window_of(0, 0, FRAME_W, FRAME_H), 0, depth, false);
         spilt += memory_spilt(&whole);
         for (height = 1; height < FRAME_H; height++) {
             for (top = 0; top < FRAME_H; top += height, strips++) {
                 int bottom = top + height < FRAME_H ? top + height : FRAME_H;
-                shot_draw(&s, &part, format, window_of(0, top, FRAME_W, bottom), 0, depth);
+                shot_draw(&s, &part, format, window_of(0, top, FRAME_W, bottom), 0, depth, strips & 1);
                 differ += part_differs(&whole, &part);
             }
         }
@@ -169,7 +172,7 @@ static void test_strips(test_random *random, int model, int step, int format)
             int left = (int)test_integer(random, 0, FRAME_W - 1), above = (int)test_integer(random, 0, FRAME_H - 1);
             int right = (int)test_integer(random, left + 1, FRAME_W), below = (int)test_integer(random, above + 1, FRAME_H);
             lmb_window w = window_of(left, above, right, below);
-            shot_draw(&s, &part, format, w, (size_t)test_integer(random, 0, 20), depth);
+            shot_draw(&s, &part, format, w, (size_t)test_integer(random, 0, 20), depth, strips & 1);
             differ += part_differs(&whole, &part);
             spilt += memory_spilt(&part);
         }
@@ -308,10 +311,10 @@ static void test_no_specular(test_random *random)
         for (k = 0; k < n; k++) light[k] = random_light(random);
         shot_set(random, &s, &ball, i & 1, 3, 6);
         if (lmb_look_prepare(&s.look, &material, light, n, LMB_MODEL_GLOSS, (enum lmb_step_kind)(i % 3)) != 0) abort();
-        shot_draw(&s, &gloss, i / 3 & 1, w, 0, false);
+        shot_draw(&s, &gloss, i / 3 & 1, w, 0, false, false);
         differ += s.look.specular_on != 0;
         if (lmb_look_prepare(&s.look, &material, light, n, LMB_MODEL_DIFFUSE, (enum lmb_step_kind)(i % 3)) != 0) abort();
-        shot_draw(&s, &diffuse, i / 3 & 1, w, 0, false);
+        shot_draw(&s, &diffuse, i / 3 & 1, w, 0, false, false);
         differ += part_differs(&gloss, &diffuse);
     }
     test_verdict(!differ, "look: without specular colour gloss is diffuse", "%d rows differ in %d frames", differ, i);
