@@ -12,6 +12,24 @@
 
 static bool is_flat(const lmb_walk *walk) { return LMB_WITH_CORNERS && walk->look->model == LMB_MODEL_FLAT; }
 
+/* lmb_row_at: corners up to above have no row below the window's first edge, those from below on none above its last. */
+typedef struct rows {
+    int32_t above, below;
+} rows;
+
+static inline rows rows_of(const lmb_window *w)
+{
+    rows r;
+    r.above = lmb_add(lmb_shl(w->top, 4), 8);
+    r.below = lmb_sub(lmb_shl(w->bottom, 4), 7);
+    return r;
+}
+
+static inline bool misses(rows r, int32_t a, int32_t b, int32_t c)
+{
+    return a <= r.above ? b <= r.above && c <= r.above : a >= r.below && b >= r.below && c >= r.below;
+}
+
 #if LMB_SHORT_CUTS
 
 /* Whether triangles are simply read, one after the other: with corners projected before, all of them in columns of the window and in
@@ -24,11 +42,14 @@ static bool is_plain(lmb_walk *walk)
                   bottom = lmb_shl(w->bottom, 4);
     if (!v || walk->order || is_flat(walk) || right - left >= PLAIN_MAX) return false;
     while (v != end && v->x >= left && v->x <= right && v->y >= top && v->y <= bottom) v++;
-    walk->strip = v != end || bottom - top >= PLAIN_MAX;
-    if (!walk->strip) return true;
+    if (v == end && bottom - top < PLAIN_MAX) {
+        walk->strip = false;
+        return true;
+    }
     for (v = walk->vertices; v != end && v->x >= left && v->x <= right; v++) {
         if ((uint32_t)lmb_add(v->y, PLAIN_MAX / 2) >= PLAIN_MAX) return false;
     }
+    walk->strip = walk->strip || v == end;
     return v == end;
 }
 
@@ -37,13 +58,12 @@ static bool next_in_strip(lmb_walk *walk, lmb_triangle *triangle)
 {
     const LMB_FLASH uint16_t *index = walk->plain, *const end = walk->end;
     const lmb_vertex *const v = walk->vertices;
-    /* lmb_row_at: corners up to above have no row below the window's first edge, those from below on none above its last */
-    const int32_t above = lmb_add(lmb_shl(walk->window->top, 4), 8), below = lmb_sub(lmb_shl(walk->window->bottom, 4), 7);
+    const rows window = rows_of(walk->window);
     triangle->inside = true;
     while (index != end) {
         const lmb_vertex *a = &v[*index++], *b = &v[*index++], *c = &v[*index++];
         const int32_t x = a->x, y = a->y;
-        if (y <= above ? b->y <= above && c->y <= above : y >= below && b->y >= below && c->y >= below) continue;
+        if (misses(window, y, b->y, c->y)) continue;
         if (lmb_mul(lmb_sub(b->x, x), lmb_sub(c->y, y)) >= lmb_mul(lmb_sub(c->x, x), lmb_sub(b->y, y))) continue;
         walk->plain = index;
         if (lmb_triangle_front(triangle, a, b, c, walk->window)) return true;
@@ -89,6 +109,8 @@ void lmb_mesh_begin(lmb_walk *walk, const lmb_mesh *mesh, const lmb_pose *pose, 
     walk->screen.camera = camera;
     if (!vertices) lmb_screen_begin(&walk->screen);
 #if LMB_SHORT_CUTS
+    /* less than the frame, whose middle the camera looks at, and rows are known before corners are */
+    walk->strip = (window->top > 0 || lmb_shl(window->bottom, 3) < camera->y) && (vertices || lmb_screen_direct(&walk->screen));
     walk->plain = walk->end;
     if (is_plain(walk)) {
         walk->plain = walk->index;
@@ -137,11 +159,29 @@ static LMB_APART void clip(lmb_walk *walk, const LMB_FLASH uint16_t *index, cons
     walk->fan = 1;
 }
 
+/* Whether a triangle that is not read simply is known to have no row in the window. */
+static bool is_missed(const lmb_walk *walk, const LMB_FLASH uint16_t *index)
+{
+    int32_t y[3];
+    unsigned i;
+    if (!LMB_SHORT_CUTS || !walk->strip) return false;
+    for (i = 0; i < 3; i++) {
+        if (!walk->vertices) {
+            y[i] = lmb_screen_y(&walk->screen, index[i]);
+        } else {
+            const lmb_vertex *v = &walk->vertices[index[i]];
+            if (LMB_SCREEN_EXACT && v->x == LMB_NOT_ON_SCREEN) return false;
+            y[i] = v->y;
+        }
+    }
+    return misses(rows_of(walk->window), y[0], y[1], y[2]);
+}
+
 /* The corners of the next triangle: of a clipped one's next piece, of the next one in order, projected on the way, with the
  * normal of their face, as the case may be; and its indices. False at the end. */
 static bool take(lmb_walk *walk, const lmb_vertex *corner[3], const LMB_FLASH uint16_t **indices)
 {
-    const LMB_FLASH uint16_t *index = walk->index;
+    const LMB_FLASH uint16_t *index;
     unsigned i;
     if (LMB_WITH_PERSPECTIVE && walk->fan + 1 < walk->corners) {
         corner[0] = &walk->polygon[0];
@@ -149,9 +189,12 @@ static bool take(lmb_walk *walk, const lmb_vertex *corner[3], const LMB_FLASH ui
         corner[2] = &walk->polygon[walk->fan];
         return true;
     }
-    if (index == walk->end) return false;
-    walk->index = index + 3;
-    if (walk->order) index = walk->screen.mesh->indices + (size_t)3 * *walk->order++;
+    do {
+        index = walk->index;
+        if (index == walk->end) return false;
+        walk->index = index + 3;
+        if (walk->order) index = walk->screen.mesh->indices + (size_t)3 * *walk->order++;
+    } while (is_missed(walk, index));
     *indices = index;
     if (!walk->vertices) lmb_screen_project(&walk->screen, index, 3, walk->polygon);
     for (i = 0; i < 3; i++) {

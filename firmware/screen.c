@@ -120,6 +120,17 @@ static void project(const lmb_screen *s, uint32_t i, lmb_vertex *corner)
 }
 #endif
 
+static inline int32_t y_of(const lmb_screen *s, const lmb_vec *row, const lmb_vec *v)
+{
+    return lmb_shr(lmb_sub(s->origin[1], lmb_mul(lmb_shr(turn(row, v), 15), s->gain)), SHIFT);
+}
+
+int32_t lmb_screen_y(const lmb_screen *s, uint32_t i)
+{
+    lmb_vec room;
+    return y_of(s, &s->pose->rotation.row[1], lmb_vec_read(&s->mesh->positions[i], &room));
+}
+
 void lmb_screen_project(const lmb_screen *screen, const LMB_FLASH uint16_t *index, uint32_t count, lmb_vertex *corner)
 {
 #if LMB_SHORT_CUTS
@@ -140,8 +151,7 @@ void lmb_screen_project(const lmb_screen *screen, const LMB_FLASH uint16_t *inde
         int32_t t;
         t = lmb_shr(turn(&r->row[0], v), 15);
         corner->x = lmb_shr(lmb_add(s->origin[0], lmb_mul(t, s->gain)), SHIFT);
-        t = lmb_shr(turn(&r->row[1], v), 15);
-        corner->y = lmb_shr(lmb_sub(s->origin[1], lmb_mul(t, s->gain)), SHIFT);
+        corner->y = y_of(s, &r->row[1], v);
         corner->depth = 0;
 #if LMB_SCREEN_EXACT
         {

@@ -15,4 +15,17 @@ void lmb_screen_begin(lmb_screen *screen);
  * nothing else. */
 void lmb_screen_project(const lmb_screen *screen, const LMB_FLASH uint16_t *index, uint32_t count, lmb_vertex *corners);
 
+/* Whether lmb_screen_y knows a corner's row without the rest of it. */
+static inline bool lmb_screen_direct(const lmb_screen *screen)
+{
+#if LMB_SCREEN_EXACT
+    return screen->direct;
+#else
+    return screen->mesh != NULL;
+#endif
+}
+
+/* Then: y of the corner of vertex i. */
+int32_t lmb_screen_y(const lmb_screen *screen, uint32_t i);
+
 #endif

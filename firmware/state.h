@@ -187,7 +187,7 @@ typedef struct lmb_walk {
     const lmb_window *window;
     const uint16_t *order;
     uint8_t corners, fan; /* of the clipped polygon that is being handed out */
-    bool strip;           /* simply read triangles may lie above or below the window */
+    bool strip;           /* many triangles may lie above or below the window */
     lmb_screen screen;
     lmb_vertex polygon[LMB_CLIP_MAX];
 #if LMB_WITH_ARC

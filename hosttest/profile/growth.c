@@ -2,7 +2,8 @@
 /* How the cost of a frame grows: a sphere with more and more triangles, on more and more pixels, in lower and lower strips. Frames
  * as in bench.c: vertices projected once, triangles set up and filled in each strip; all in RGB565, without depth.
  *
- * Scenes are named by what grows and how far: triangles-5120, pixels-480, rows-8.
+ * Scenes are named by what grows and how far: triangles-5120, pixels-480, rows-8; rows-anew: without room for projected vertices,
+ * which are then projected for each triangle and strip anew.
  */
 #include "../../port/demo/scenes.h"
 #include "mark.h"
@@ -27,6 +28,7 @@ typedef struct frame {
     const lmb_mesh *mesh;
     enum lmb_model model;
     int size, rows;
+    bool anew; /* corners are projected for each triangle anew */
 } frame;
 
 static void say_count(const char *name, uint32_t n)
@@ -93,10 +95,10 @@ static void measure(const frame *f)
     lmb_paint_prepare(&paint, &look, LMB_RGB565);
     say_frame(f);
     profile_begin();
-    lmb_mesh_project(f->mesh, &s.object[0].pose, &s.camera, vertices);
+    if (!f->anew) lmb_mesh_project(f->mesh, &s.object[0].pose, &s.camera, vertices);
     for (top = 0; top < f->size; top = bottom) {
         bottom = strip(&surface, f, top);
-        lmb_draw_mesh(&surface, f->mesh, &s.object[0].pose, &s.camera, &paint, vertices, NULL);
+        lmb_draw_mesh(&surface, f->mesh, &s.object[0].pose, &s.camera, &paint, f->anew ? NULL : vertices, NULL);
     }
     profile_end();
     say_counts(f, &s);
@@ -109,6 +111,7 @@ int main(void)
     static const uint16_t sizes[] = {32, 48, 64, 96, 128, 160, 240, 320, 400, 480}, rows[] = {120, 60, 30, 16, 8, 4, 2};
     frame f;
     unsigned i, model;
+    f.anew = false;
     for (model = 0; model < 2; model++) {
         f.model = model ? LMB_MODEL_DIFFUSE : LMB_MODEL_GLOSS;
         f.axis = "triangles";
@@ -133,6 +136,13 @@ int main(void)
     for (i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         f.value = rows[i];
         f.rows = rows[i];
+        measure(&f);
+    }
+    f.axis = "rows-anew";
+    f.anew = true;
+    for (i = 0; i < 4; i++) {
+        f.value = i ? rows[i - 1] : 240;
+        f.rows = (int)f.value;
         measure(&f);
     }
     return 0;
