@@ -361,13 +361,13 @@ $(B)/bin/report_image: $(SCENES) $(REFERENCE)
 $(B)/bin/test_compare: $(patsubst %.c,$(B)/%.o,$(wildcard hosttest/compare/*.c)) $(SCENES) $(REFERENCE)
 
 # The papers, method by method: definitions in double, integer forms of comparisons, sweeps and claims.
-PAPERS := $(filter-out %/claim.o %/chart_data.o,$(patsubst %.c,$(B)/%.o,$(wildcard hosttest/papers/*.c hosttest/compare/*.c)))
-$(B)/bin/replicate: $(B)/hosttest/papers/claim.o $(PAPERS)
+PAPERS := $(filter-out %/replicate.o %/chart_data.o,$(patsubst %.c,$(B)/%.o,$(wildcard hosttest/papers/*.c hosttest/compare/*.c)))
+$(B)/bin/replicate: $(B)/hosttest/papers/replicate.o $(PAPERS)
 $(B)/bin/chart_data: $(B)/hosttest/papers/chart_data.o $(PAPERS)
 $(B)/bin/replicate $(B)/bin/chart_data: $(B)/liblambent.a
 	@mkdir -p $(@D)
 	$(Q)$(LINK)
-$(B)/bin/test_papers%: $(PAPERS)
+$(patsubst %,$(B)/bin/%,$(filter test_papers%,$(TESTS))): $(PAPERS)
 $(B)/bin/report_lobe $(B)/bin/report_arc: $(PAPERS)
 
 $(B)/bin/test_image: $(B)/hosttest/test_image.o $(B)/hosttest/oiio.o $(SCENES) $(REFERENCE) $(B)/liblambent.a
