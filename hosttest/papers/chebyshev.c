@@ -87,6 +87,64 @@ double chebyshev_reach(const quadratic *p, unsigned n)
     return low;
 }
 
+/* ------------------------------------------------------------------------------------------------------------- the best of all */
+
+/* Solves four equations of four unknowns, kept with their right sides; pivots are the largest of their column. */
+static void solve(double m[4][5])
+{
+    int i, k, j;
+    for (k = 0; k < 4; k++) {
+        for (i = k + 1; i < 4; i++) {
+            if (fabs(m[i][k]) <= fabs(m[k][k])) continue;
+            for (j = 0; j < 5; j++) {
+                const double kept = m[k][j];
+                m[k][j] = m[i][j];
+                m[i][j] = kept;
+            }
+        }
+        for (i = 0; i < 4; i++) {
+            const double by = m[i][k] / m[k][k];
+            for (j = k; j < 5 && i != k; j++) m[i][j] -= by * m[k][j];
+        }
+    }
+}
+
+/* The parabola with p = f (1 -+ e) in turns at four points; e. In t = x / end, which keeps the equations even. */
+static double level(quadratic *p, unsigned n, double end, const double t[4])
+{
+    double m[4][5];
+    int i;
+    for (i = 0; i < 4; i++) {
+        const double f = pow(cos(t[i] * end), n), row[5] = {t[i] * t[i], t[i], 1, i % 2 ? -f : f, f};
+        for (int j = 0; j < 5; j++) m[i][j] = row[j];
+    }
+    solve(m);
+    p->a = m[0][4] / m[0][0] / (end * end);
+    p->b = m[1][4] / m[1][1] / end;
+    p->c = m[2][4] / m[2][2];
+    return fabs(m[3][4] / m[3][3]);
+}
+
+/* The error is largest at both ends and at one inner point of either sign: these move to where it is largest for now. */
+double chebyshev_least(unsigned n, double end)
+{
+    double t[4] = {0, 0.25, 0.75, 1}, error = 0;
+    quadratic p;
+    int round, i, k;
+    for (round = 0; round < 12; round++) {
+        error = level(&p, n, end, t);
+        for (k = 1; k < 3; k++) {
+            const double sign = quadratic_at(&p, t[k] * end) > pow(cos(t[k] * end), n) ? 1 : -1;
+            double best = 0;
+            for (i = 1; i < 4 * GRID; i++) {
+                const double x = (double)i / (4 * GRID), e = sign * (quadratic_at(&p, x * end) / pow(cos(x * end), n) - 1);
+                if (e > best) best = e, t[k] = x;
+            }
+        }
+    }
+    return error;
+}
+
 /* ---------------------------------------------------------------------------------------------------------------- laws of our own */
 
 static double cubic(const double c[4], double t) { return ((c[3] * t + c[2]) * t + c[1]) * t + c[0]; }
