@@ -72,9 +72,10 @@ report: report_tools $(B)/report/size.csv $(B)/report/cycles.csv $(B)/report/ker
 	$(Q)for t in lobe arc span image; do \
 	    echo "$(B)/report/$$t.csv"; $(B)/bin/report_$$t > $(B)/report/$$t.csv || exit 1; done
 
-## replicate: what three papers claim beside what we measure, claim by claim; report/papers.csv
+## replicate: what three papers claim beside what we measure, claim by claim; report/papers.csv, docs/REPLICATION.md
 replicate: $(B)/bin/replicate $(B)/report/kernel_cycles.csv
 	$(Q)$(B)/bin/replicate $(B)/report
+	$(Q)hosttest/replicate.sh $(B)/bin/replicate $(B)/report
 	$(Q)$(B)/bin/replicate --csv $(B)/report > $(B)/report/papers.csv
 
 ## charts: draw docs/charts/*.svg and *.png anew from what we measure (needs gnuplot)

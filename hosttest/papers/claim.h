@@ -51,6 +51,9 @@ void claim_print_text(void);
 void claim_print_csv(void);
 void claim_print_markdown(const char *paper); /* a table of one paper's */
 
+/* The lobes of papers 000 and 003 side by side, as a table in Markdown (lobe_table.c). */
+void claim_print_lobes(const char *report);
+
 /* The records of each paper; report: the folder of kernel_cycles.csv, whose counts some of them read. */
 void claims_000(const char *report);
 void claims_001(const char *report);
