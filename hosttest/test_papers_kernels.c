@@ -16,15 +16,20 @@ static double schlick_of(double c, double n) { return c > 0 ? c / (n - n * c + c
 static double power_of(double x, double n) { return x > 0 ? pow(x, n) : 0; }
 static double squared(double x) { return x * x; }
 
-/* What is left out of x^2 = 2 (v + v^2/6 + 2 v^3/45 + v^4/70): its next term is 2 v^5 8/1575, and all that follow sum to less. */
-static double angle_slack(double c, double n) { return n * 0.0102 * pow(1 - fmax(c, 0), 5) * 2; }
+/* The angle as these kernels take it, by four terms of x^2 = 2 sum (2v)^k / (k^2 binomial(2k, k)): at a quarter turn and beyond 1.566
+ * (test_papers_lobes holds what that is worth). */
+static double angle_of(double c)
+{
+    static const double binomial[5] = {1, 2, 6, 20, 70};
+    const double v = 1 - fmax(c, 0);
+    double sum = 0;
+    int k;
+    for (k = 1; k <= 4; k++) sum += 2 * pow(2 * v, k) / (k * k * binomial[k]);
+    return sqrt(sum);
+}
 
 /* The parabola of paper 003 with A, B, C. */
-static double parabola(double c, const double k[3])
-{
-    const double x = acos(fmax(c, 0));
-    return cut((k[0] * x + k[1]) * x + k[2]);
-}
+static double parabola(double x, const double k[3]) { return cut((k[0] * x + k[1]) * x + k[2]); }
 
 static void published(double n, double k[3])
 {
@@ -70,7 +75,7 @@ static double float_parabola(double c, double n, double *limit)
     double k[3];
     published(n, k);
     *limit = 2e-4 - 2.5e-4 * k[1];
-    return c > 0 ? parabola(c, k) : 0;
+    return c > 0 ? parabola(acos(c), k) : 0;
 }
 
 /* lmb_power_q15: 3e-6 beside its rounding; 1 - R.V is rounded to 2^-29, counted n / 4 times */
@@ -97,11 +102,11 @@ static double schlick_8(double c, double n, double *limit)
     return schlick_of(c, n);
 }
 
-/* The cubic for 2^-f 7.5e-5, its products and the result rounded down by up to 2^-15 each. */
+/* The cubic for 2^-f 7.5e-5; the result and its last product rounded down to 2^-15; the exponent to 2^-16. */
 static double gaussian(double c, double n, double *limit)
 {
-    const double value = exp(-n * squared(acos(fmax(c, 0))) / 2);
-    *limit = 2e-4 + angle_slack(c, n) * value / 2;
+    const double value = exp(-n * squared(angle_of(c)) / 2);
+    *limit = 2e-4;
     return value;
 }
 
@@ -121,20 +126,20 @@ static double lyon(double c, double n, double *limit)
     return power_of(1 - n / 32 * dd, 16);
 }
 
-/* a and b rounded down to 2^-15, W up to 3; the root to 2^-14; the result to 2^-15. Both slopes in W together are below 0.55. */
+/* a and b rounded down to 2^-15, W up to 3 and W^1/2 up to 1.73: 1.4e-4; the result to 2^-15; the root to 2^-14, times 0.18 at most. */
 static double parabola_published(double c, double n, double *limit)
 {
     double k[3];
     published(n, k);
-    *limit = 3.5e-4 + angle_slack(c, n) * 0.55;
-    return parabola(c, k);
+    *limit = 2e-4;
+    return parabola(angle_of(c), k);
 }
 static double parabola_refitted(double c, double n, double *limit)
 {
     double k[3];
     refitted(n, k);
-    *limit = 3.5e-4 + angle_slack(c, n) * 0.55;
-    return parabola(c, k);
+    *limit = 2e-4;
+    return parabola(angle_of(c), k);
 }
 
 /* Half an entry. */

@@ -126,18 +126,17 @@ static double level(quadratic *p, unsigned n, double end, const double t[4])
 }
 
 /* The error is largest at both ends and at one inner point of either sign: these move to where it is largest for now. */
-double chebyshev_least(unsigned n, double end)
+double chebyshev_least(unsigned n, double end, quadratic *p)
 {
     double t[4] = {0, 0.25, 0.75, 1}, error = 0;
-    quadratic p;
     int round, i, k;
     for (round = 0; round < 12; round++) {
-        error = level(&p, n, end, t);
+        error = level(p, n, end, t);
         for (k = 1; k < 3; k++) {
-            const double sign = quadratic_at(&p, t[k] * end) > pow(cos(t[k] * end), n) ? 1 : -1;
+            const double sign = quadratic_at(p, t[k] * end) > pow(cos(t[k] * end), n) ? 1 : -1;
             double best = 0;
             for (i = 1; i < 4 * GRID; i++) {
-                const double x = (double)i / (4 * GRID), e = sign * (quadratic_at(&p, x * end) / pow(cos(x * end), n) - 1);
+                const double x = (double)i / (4 * GRID), e = sign * (quadratic_at(p, x * end) / pow(cos(x * end), n) - 1);
                 if (e > best) best = e, t[k] = x;
             }
         }

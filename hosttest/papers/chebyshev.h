@@ -39,8 +39,8 @@ const chebyshev_fit *chebyshev_refit(enum chebyshev_kind kind, unsigned n);
 /* The largest x up to which the error of p is at most CHEBYSHEV_ERROR all along. */
 double chebyshev_reach(const quadratic *p, unsigned n);
 
-/* The least relative error that any parabola has on [0, end], by exchange (Remez). */
-double chebyshev_least(unsigned n, double end);
+/* The least relative error that any parabola has on [0, end], by exchange (Remez), and that parabola. */
+double chebyshev_least(unsigned n, double end, quadratic *p);
 
 double quadratic_at(const quadratic *p, double x);
 double quadratic_zero(const quadratic *p); /* the x > 0 where p, which falls, becomes zero */
