@@ -360,6 +360,11 @@ static void claims_speed(const char *report)
     speed(report, "m0plus", "lobe-schlick", "lobe-w16", "instructions; Cortex-M0+; integers; W_16 from s", false);
     speed(report, "m0plus", "lobe-schlick", "lobe-lyon", "instructions; Cortex-M0+; integers; W_16 from 1 - c", false);
     speed(report, "m4", "lobe-schlick", "lobe-w16", "instructions; Cortex-M4 with its divider; integers; W_16 from s", false);
+    speed(report, "m55", "lobe-float-schlick", "lobe-float-squarings", "instructions; Cortex-M55 with its FPU; floats; from N.H",
+          true);
+    speed(report, "rv32ec", "lobe-schlick", "lobe-w16", "instructions; RV32EC: neither divider nor multiplier; W_16 from s",
+          false);
+    speed(report, "atmega1284p", "lobe-schlick", "lobe-w16", "instructions; ATmega1284P; integers; W_16 from s", false);
     claim_fact(of("schlick-cheaper", "instructions; Cortex-M0+; integers; cos^16 by squarings", true),
                "far cheaper than Phong and Blinn", schlick < blinn / 2, "%.0f; cos^16 %.0f", schlick, blinn);
     claim_fact(of("schlick-cheaper", "instructions; Cortex-M0+; floats; cos^n by powf", true), "far cheaper than Phong and Blinn",
