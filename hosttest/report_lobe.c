@@ -2,9 +2,10 @@
 /* Writes the accuracy of every lobe of hosttest/papers/lobes.h for every shininess as CSV, in real arithmetic and, where it has a
  * kernel of integers (hosttest/compare/), in integer arithmetic, against cos^n over the quarter turn.
  *
- * multiplications and additions are those of one evaluation from the argument that runs along a row; products of an exact power are
- * those of squaring and multiplying, in integers three of 16 bits each; powf, expf, divisions and reads are not counted. at_degrees is where the largest error is; the mean square is
- * taken evenly over the angle; monotone: never rises with the angle, on a grid of 4096.
+ * multiplications and additions are those of one evaluation from the argument that runs along a row; products of an exact power
+ * are those of squaring and multiplying, in integers three of 16 bits each; powf, expf, divisions and reads are not counted.
+ * at_degrees is where the largest error is; the mean square is taken evenly over the angle; monotone: never rises with the angle,
+ * on a grid of 4096.
  */
 #include "compare/compare.h"
 #include "papers/lobes.h"

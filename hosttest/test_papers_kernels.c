@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The kernels of lobes (hosttest/compare/) are what they are called: each against its own definition, written here anew in double, so
- * that what is measured and compared is the method and no broken copy of it.
+/* The kernels of lobes (hosttest/compare/) are what they are called: each against its own definition, written here anew in
+ * double, so that what is measured and compared is the method and no broken copy of it.
  *
  *   test_papers_kernels [SEED]
  */
@@ -16,8 +16,8 @@ static double schlick_of(double c, double n) { return c > 0 ? c / (n - n * c + c
 static double power_of(double x, double n) { return x > 0 ? pow(x, n) : 0; }
 static double squared(double x) { return x * x; }
 
-/* The angle as these kernels take it, by four terms of x^2 = 2 sum (2v)^k / (k^2 binomial(2k, k)): at a quarter turn and beyond 1.566
- * (test_papers_lobes holds what that is worth). */
+/* The angle as these kernels take it, by four terms of x^2 = 2 sum (2v)^k / (k^2 binomial(2k, k)): at a quarter turn and beyond
+ * 1.566 (test_papers_lobes holds what that is worth). */
 static double angle_of(double c)
 {
     static const double binomial[5] = {1, 2, 6, 20, 70};
@@ -48,7 +48,7 @@ static void refitted(double n, double k[3])
     k[2] = law(c, n);
 }
 
-/* ------------------------------------------------------------------------------------------------------------------ definitions */
+/* ---------------------------------------------------------------------------------------------------------------- definitions */
 
 /* Definition of a lobe at a cosine, and the bound of its kernel's error there. */
 typedef double definition(double c, double n, double *limit);
@@ -126,7 +126,8 @@ static double lyon(double c, double n, double *limit)
     return power_of(1 - n / 32 * dd, 16);
 }
 
-/* a and b rounded down to 2^-15, W up to 3 and W^1/2 up to 1.73: 1.4e-4; the result to 2^-15; the root to 2^-14, times 0.18 at most. */
+/* a and b rounded down to 2^-15, W up to 3 and W^1/2 up to 1.73: 1.4e-4; the result to 2^-15; the root to 2^-14, times 0.18 at
+ * most. */
 static double parabola_published(double c, double n, double *limit)
 {
     double k[3];
@@ -182,7 +183,7 @@ static definition *definition_of(const char *name)
     return NULL;
 }
 
-/* ---------------------------------------------------------------------------------------------------------------------- kernels */
+/* -------------------------------------------------------------------------------------------------------------------- kernels */
 
 static double lobe_value(const compare_lobe_kernel *kernel, uint32_t word)
 {

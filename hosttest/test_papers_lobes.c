@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Papers 000 and 003 reproduced: the lobes in double against their formulas, the refits, the printed coefficients, the cases where the
- * papers' lobes fail, and the verdicts of claims.
+/* Papers 000 and 003 reproduced: the lobes in double against their formulas, the refits, the printed coefficients, the cases
+ * where the papers' lobes fail, and the verdicts of claims.
  *
  *   test_papers_lobes [SEED]
  */
@@ -89,7 +89,7 @@ static void test_lyon(void)
                  dot, difference);
 }
 
-/* ---------------------------------------------------------------------------------------------------------------------- refits */
+/* --------------------------------------------------------------------------------------------------------------------- refits */
 
 /* Every fit meets 2 %, and no longer interval does: 1 % longer, and up to twice as long in steps of 5 %. */
 static void test_refits(void)
@@ -208,7 +208,7 @@ static void test_published(void)
                  "A and B as printed within %.1g; signs turned, 2 %% ends at y = %.2f or before", worst, turned);
 }
 
-/* ----------------------------------------------------------------------------------------------------------- where papers' lobes fail */
+/* --------------------------------------------------------------------------------------------------- where papers' lobes fail */
 
 static void test_clamps(void)
 {
@@ -258,7 +258,7 @@ static void test_small_n(void)
                  end, left);
 }
 
-/* ---------------------------------------------------------------------------------------------------------------------- verdicts */
+/* ------------------------------------------------------------------------------------------------------------------- verdicts */
 
 static bool is(enum claim_verdict verdict, const char *measured)
 {

@@ -28,6 +28,9 @@ static COMPARE_INLINE uint32_t compare_sum_of(const compare_lobe *lobe, const co
         return compare_sum_of(lobe, argument, count, VALUE);                                                                     \
     }
 
+/* lobes.c */
+lobe_sum compare_sum_none, compare_sum_schlick, compare_sum_schlick_8, compare_sum_table;
+
 /* lobes_float.c; COMPARE_WITH_LIBM */
 lobe_arguments compare_as_float;
 lobe_sum compare_sum_powf, compare_sum_float_squarings, compare_sum_float_schlick, compare_sum_acosf;

@@ -54,11 +54,11 @@ static COMPARE_INLINE uint32_t none(const compare_lobe *lobe, compare_argument a
     return (uint32_t)argument.q;
 }
 
-static COMPARE_LOBE_SUM(sum_none, none)
+COMPARE_LOBE_SUM(compare_sum_none, none)
 
-    /* ------------------------------------------------------------------------------------------------------------------ Schlick */
+/* ---------------------------------------------------------------------------------------------------------------- Schlick */
 
-    static void as_q15(const compare_lobe *lobe, compare_argument *argument, const int32_t *cosine_q30, unsigned count)
+static void as_q15(const compare_lobe *lobe, compare_argument *argument, const int32_t *cosine_q30, unsigned count)
 {
     (void)lobe;
     while (count-- > 0) (argument++)->q = (*cosine_q30++ + (1 << 14)) >> 15;
@@ -81,14 +81,14 @@ static COMPARE_INLINE uint32_t schlick_8(const compare_lobe *lobe, compare_argum
     return ((t << 8) + (below >> 1)) / below << 7;
 }
 
-static COMPARE_LOBE_SUM(sum_schlick, schlick)
+COMPARE_LOBE_SUM(compare_sum_schlick, schlick)
 
-    static COMPARE_LOBE_SUM(sum_schlick_8, schlick_8)
+COMPARE_LOBE_SUM(compare_sum_schlick_8, schlick_8)
 
-    /* -------------------------------------------------------------------------------------------------------------------- table */
+/* ------------------------------------------------------------------------------------------------------------------ table */
 
-    /* 255 cos with half of one added, Q.22 */
-    static void as_index(const compare_lobe *lobe, compare_argument *argument, const int32_t *cosine_q30, unsigned count)
+/* 255 cos with half of one added, Q.22 */
+static void as_index(const compare_lobe *lobe, compare_argument *argument, const int32_t *cosine_q30, unsigned count)
 {
     (void)lobe;
     while (count-- > 0) {
@@ -102,23 +102,23 @@ static COMPARE_INLINE uint32_t table(const compare_lobe *lobe, compare_argument 
     return argument.q > 0 ? lobe->power[argument.q >> 22] : 0;
 }
 
-static COMPARE_LOBE_SUM(sum_table, table)
+COMPARE_LOBE_SUM(compare_sum_table, table)
 
-    /* ------------------------------------------------------------------------------------------------------------------------ all */
+/* -------------------------------------------------------------------------------------------------------------------- all */
 
-    /* clang-format off */
+/* clang-format off */
 const compare_lobe_kernel compare_lobes[] = {
-    {"lobe-none", false, as_cosine, sum_none},
+    {"lobe-none", false, as_cosine, compare_sum_none},
 #if COMPARE_WITH_LIBM
     {"lobe-powf", true, compare_as_float, compare_sum_powf},
     {"lobe-float-squarings", true, compare_as_float, compare_sum_float_squarings},
 #endif
     {"lobe-blinn", false, compare_as_versine, compare_sum_blinn},
-    {"lobe-schlick", false, as_q15, sum_schlick},
-    {"lobe-schlick-8", false, as_q15, sum_schlick_8},
+    {"lobe-schlick", false, as_q15, compare_sum_schlick},
+    {"lobe-schlick-8", false, as_q15, compare_sum_schlick_8},
     {"lobe-w16", false, compare_as_w16, compare_sum_w16},
     {"lobe-lambent", false, compare_as_tuned, compare_sum_lambent},
-    {"lobe-table256", false, as_index, sum_table},
+    {"lobe-table256", false, as_index, compare_sum_table},
 #if COMPARE_WITH_ALL_LOBES
     {"lobe-phong", false, compare_as_mirrored, compare_sum_phong},
     {"lobe-gauss", false, compare_as_versine, compare_sum_gauss},

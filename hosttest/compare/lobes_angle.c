@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Lobes that are functions of the angle x itself, in integers and without an arccos: the Gaussian of paper 000, the parabola of 003.
+/* Lobes that are functions of the angle x itself, in integers and without an arccos: the Gaussian of paper 000, the parabola of
+ * 003.
  *
- * The argument is v = 1 - cos, Q2.30. g = x^2 = v (2 + v (1/3 + v (4/45 + v/35))), whose next term is 0.0051 v^4 of it; so half of
- * that, h, is v and a little more. The parabola needs x = g^1/2 as well: x = g times a reciprocal square root by multiplications alone.
- * All of it is done in w = n h, which is below 2 where a parabola is above zero and below 11.1 where e^-w shows in 15 bits.
+ * The argument is v = 1 - cos, Q2.30. g = x^2 = v (2 + v (1/3 + v (4/45 + v/35))), whose next term is 0.0051 v^4 of it; so half
+ * of that, h, is v and a little more. The parabola needs x = g^1/2 as well: x = g times a reciprocal square root by
+ * multiplications alone. All of it is done in w = n h, which is below 2 where a parabola is above zero and below 11.1 where e^-w
+ * shows in 15 bits.
  */
 #include "../../firmware/arith.h"
 #include "lobe_parts.h"
@@ -18,7 +20,7 @@ static COMPARE_INLINE uint32_t half_square_q30(uint32_t v_q30)
     return v_q30 + v_q15 * more_q15;
 }
 
-/* ------------------------------------------------------------------------------------------------------------------------- gauss */
+/* ---------------------------------------------------------------------------------------------------------------------- gauss */
 
 /* e^-w = 2^-(w / ln 2): the whole part is a shift, and 2^-f is a cubic that is exact at both ends and errs by 7.5e-5.
  *   h_q26   h times 2^shift, scale in [1, 2) times 2^shift is n / ln 2: below 16.1
@@ -47,7 +49,7 @@ static void gauss_prepare(compare_lobe *lobe, uint32_t n)
     lobe->gauss_end_q30 = n < 10 ? UINT32_MAX : 2979633561u / n << 2; /* 11.1 / n; h is below 1.24 */
 }
 
-/* ---------------------------------------------------------------------------------------------------------------------- parabola */
+/* ------------------------------------------------------------------------------------------------------------------- parabola */
 
 /* C - a W - b W^1/2 with W = n g = 2 n h: A = -n a, B = -n^1/2 b. All parabolas end below W = 4.
  *   k_q29   W: n h_q30, below 2^31

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Exact powers in integers, by squaring and multiplying over the bits of n: the library's own lmb_power_q15, whose products are three
- * of 16 bits each, so that n = 1000 errs no more than n = 1. Its argument is one minus the dot product.
+/* Exact powers in integers, by squaring and multiplying over the bits of n: the library's own lmb_power_q15, whose products are
+ * three of 16 bits each, so that n = 1000 errs no more than n = 1. Its argument is one minus the dot product.
  *
- * phong   (R.V)^k, k whole: n / 4 to nearest and at least 1. R.V is the cosine of twice the angle where L, V and N lie in one plane
+ * phong   (R.V)^k, k whole: n / 4 to nearest and at least 1. R.V is the cosine of twice the angle where L, V and N are in one plane
  * blinn   (N.H)^n
  */
 #include "../../firmware/power.h"

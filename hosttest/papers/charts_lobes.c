@@ -66,7 +66,7 @@ static void paper_000(const char *folder)
     errors(folder, "paper-000-figure-9", paper_inflection, where_fifth, 250, bloom);
 }
 
-/* ------------------------------------------------------------------------------------------------------------------------ paper 003 */
+/* ------------------------------------------------------------------------------------------------------------------ paper 003 */
 
 /* cos^n for several n, and Lambent's lobe for the same, to both sides. */
 static void powers(const char *folder)

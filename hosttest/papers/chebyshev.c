@@ -27,9 +27,9 @@ double quadratic_at(const quadratic *p, double x) { return (p->a * x + p->b) * x
 
 double quadratic_zero(const quadratic *p) { return (p->b + sqrt(p->b * p->b - 4 * p->a * p->c)) / (-2 * p->a); }
 
-/* The coefficients c_k = 2/pi times the integral of f cos(k theta) over 0 to pi, by the midpoint rule: with 64 points it is exact to
- * rounding for what is as smooth as this, with three it gives the interpolation at three nodes. With t = 2 x / end - 1 the sum is
- * c0/2 + c1 t + c2 (2 t^2 - 1). */
+/* The coefficients c_k = 2/pi times the integral of f cos(k theta) over 0 to pi, by the midpoint rule: with 64 points it is exact
+ * to rounding for what is as smooth as this, with three it gives the interpolation at three nodes. With t = 2 x / end - 1 the sum
+ * is c0/2 + c1 t + c2 (2 t^2 - 1). */
 quadratic chebyshev_terms(enum chebyshev_kind kind, unsigned n, double end)
 {
     const int nodes = kind == CHEBYSHEV_NODES ? 3 : 64;
@@ -87,7 +87,7 @@ double chebyshev_reach(const quadratic *p, unsigned n)
     return low;
 }
 
-/* ------------------------------------------------------------------------------------------------------------- the best of all */
+/* ------------------------------------------------------------------------------------------------------------ the best of all */
 
 /* Solves four equations of four unknowns, kept with their right sides; pivots are the largest of their column. */
 static void solve(double m[4][5])
@@ -144,7 +144,7 @@ double chebyshev_least(unsigned n, double end, quadratic *p)
     return error;
 }
 
-/* ---------------------------------------------------------------------------------------------------------------- laws of our own */
+/* ------------------------------------------------------------------------------------------------------------ laws of our own */
 
 static double cubic(const double c[4], double t) { return ((c[3] * t + c[2]) * t + c[1]) * t + c[0]; }
 

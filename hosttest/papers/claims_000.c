@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* What paper 000 claims of W_m = (1 - zeta (1 - cos))^m, zeta = n / m, in its order of reading.
  *
- * Its "epicentre" ends at the inflection point of cos^n, tan^2 = 1 / (n - 1), where cos^n is near e^-1/2 = 0.61. What it calls bloom
- * lies outside and has no stated end.
+ * Its "epicentre" ends at the inflection point of cos^n, tan^2 = 1 / (n - 1), where cos^n is near e^-1/2 = 0.61. What it calls
+ * bloom lies outside and has no stated end.
  */
 #include "claim.h"
 #include "measure.h"
@@ -129,7 +129,7 @@ static void claims_derivative(void)
                worst < 1e-6, "%s", worst < 1e-6 ? "the same" : "another");
 }
 
-/* ------------------------------------------------------------------------------------------------------- Schlick, Gauss, degree */
+/* ----------------------------------------------------------------------------------------------------- Schlick, Gauss, degree */
 
 static double schlick_end(unsigned n, double level)
 {
@@ -202,7 +202,7 @@ static void claims_degree(void)
                most);
 }
 
-/* -------------------------------------------------------------------------------------------------------------------- accuracy */
+/* ------------------------------------------------------------------------------------------------------------------- accuracy */
 
 /* The first n from which on the lobe is nearer to cos^n than Schlick's up to the inflection (or everywhere) for every n to 1000. */
 static unsigned better_from(const char *name, bool everywhere)
@@ -306,7 +306,7 @@ static void claims_gain(void)
                  worst_absolute("schlick", 16, N_ALL) / worst_absolute("w16", 16, N_ALL));
 }
 
-/* ------------------------------------------------------------------------------------------------------------------------ cost */
+/* ----------------------------------------------------------------------------------------------------------------------- cost */
 
 /* The largest error of W_16 from n = 16 on if wires that shift n drop what falls off its end. */
 static double dropped(void)

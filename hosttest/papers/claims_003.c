@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* What paper 003 claims of the parabola A x^2 + B x + C that stands for cos^n x, in its order of reading.
  *
- * "Refit": three terms of a Chebyshev series of cos^n on [0 b], b the largest with 2 % of relative error, found by ourselves for each n;
- * by integrals (the series) or from three nodes (interpolation), as the paper does not say which. y = n^1/2 x makes all n alike.
+ * "Refit": three terms of a Chebyshev series of cos^n on [0 b], b the largest with 2 % of relative error, found by ourselves for
+ * each n; by integrals (the series) or from three nodes (interpolation), as the paper does not say which. y = n^1/2 x makes all n
+ * alike.
  */
 #include "chebyshev.h"
 #include "claim.h"
@@ -30,7 +31,7 @@ static void take(most *m, double value, unsigned n)
     if (value > m->value) m->value = value, m->n = n;
 }
 
-/* ---------------------------------------------------------------------------------------------------------------------- wishes */
+/* --------------------------------------------------------------------------------------------------------------------- wishes */
 
 static void claims_wishes(const char *report)
 {
@@ -79,7 +80,7 @@ static void claims_monotone(void)
                "no artefacts at the rim", most_slope <= 0.61, "%.2f", most_slope);
 }
 
-/* ---------------------------------------------------------------------------------------------------------------- coefficients */
+/* --------------------------------------------------------------------------------------------------------------- coefficients */
 
 enum coefficient { OF_A, OF_B };
 
@@ -196,7 +197,7 @@ static void claims_c(void)
     }
 }
 
-/* -------------------------------------------------------------------------------------------------------------------- accuracy */
+/* ------------------------------------------------------------------------------------------------------------------- accuracy */
 
 /* What three terms of a series give away: the best parabola's error on the same interval, and how far it keeps 2 %. */
 static void claims_least(void)
@@ -283,7 +284,7 @@ static void claims_epicentre(void)
     epicentre("lambent", "Lambent's; the same; n = 8 to 1000", false, N_SMALL);
 }
 
-/* ---------------------------------------------------------------------------------------------------------------- cost and looks */
+/* ------------------------------------------------------------------------------------------------------------- cost and looks */
 
 static void claims_cost(void)
 {

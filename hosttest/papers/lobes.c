@@ -32,7 +32,7 @@ double paper_inflection(unsigned n) { return n < 2 ? PAPER_QUARTER_TURN : atan(1
 
 double paper_angle_of(unsigned n, double level) { return 2 * asin(sqrt(-expm1(log(level) / n) / 2)); }
 
-/* ------------------------------------------------------------------------------------------------------ Phong, Blinn, Schlick, Gauss */
+/* ----------------------------------------------------------------------------------------------- Phong, Blinn, Schlick, Gauss */
 
 static double phong(unsigned n, double angle)
 {
@@ -50,7 +50,7 @@ static double schlick(unsigned n, double angle)
 
 static double gauss(unsigned n, double angle) { return exp(-0.5 * n * angle * angle); }
 
-/* ----------------------------------------------------------------------------------------------------------------- paper 000, Lyon */
+/* ------------------------------------------------------------------------------------------------------------ paper 000, Lyon */
 
 static double w_raw(unsigned m, unsigned n, double v) { return power_of(1 - (double)n / m * v, m); }
 
@@ -74,7 +74,7 @@ static double half_difference(double angle)
 static double lyon_raw(unsigned n, double angle) { return w_raw(16, n, half_difference(angle)); }
 static double lyon(unsigned n, double angle) { return paper_w(16, n, half_difference(angle)); }
 
-/* ------------------------------------------------------------------------------------------------------------------------ paper 003 */
+/* ------------------------------------------------------------------------------------------------------------------ paper 003 */
 
 /* A parabola past its zero is below it for good. Where a fit begins above one, one is shown. */
 static double cut(double value) { return fmin(1, fmax(0, value)); }
@@ -90,8 +90,8 @@ static double refit_raw(unsigned n, double angle) { return quadratic_at(&chebysh
 /* x^2 = 2 v (1 + v/6 + 2 v^2/45 + v^3/70 + ...), from x = 2 arcsin (v/2)^1/2; the next term is 0.0051 v^4 of it. */
 static double angle_squared(double v) { return v * (2 + v * (1.0 / 3 + v * (4.0 / 45 + v / 35))); }
 
-/* The square root of x in (0, 4] as x / x^1/2, the latter as lmb_rsqrt_q30 takes it: a line and four steps of Newton's method on an
- * argument that is shifted into [1/4, 1). */
+/* The square root of x in (0, 4] as x / x^1/2, the latter as lmb_rsqrt_q30 takes it: a line and four steps of Newton's method on
+ * an argument that is shifted into [1/4, 1). */
 static double root_by_products(double x)
 {
     int shift, i;
@@ -113,7 +113,7 @@ static double published(unsigned n, double angle) { return cut(published_raw(n, 
 static double refit(unsigned n, double angle) { return cut(refit_raw(n, angle)); }
 static double rootless(unsigned n, double angle) { return cut(rootless_raw(n, angle)); }
 
-/* --------------------------------------------------------------------------------------------------------------- the library, a table */
+/* ------------------------------------------------------------------------------------------------------- the library, a table */
 
 static const lmb_lobe *tuned(unsigned n)
 {
@@ -158,11 +158,11 @@ static double lambent(unsigned n, double angle)
 
 static double table256(unsigned n, double angle) { return power_of(floor(255 * (1 - versine(angle)) + 0.5) / 255, n); }
 
-/* ------------------------------------------------------------------------------------------------------------------------ the table */
+/* ------------------------------------------------------------------------------------------------------------------ the table */
 
-/* Costs: multiplications, additions, divisions, roots, reads, calls; carried, whole, integer. The root by products: a line and four
- * steps of three products; in integers 13, seven additions. x^2 from v: four. Powers and the library's squarings are added by
- * paper_lobe_cost. */
+/* Costs: multiplications, additions, divisions, roots, reads, calls; carried, whole, integer. The root by products: a line and
+ * four steps of three products; in integers 13, seven additions. x^2 from v: four. Powers and the library's squarings are added
+ * by paper_lobe_cost. */
 /* clang-format off */
 const paper_lobe paper_lobes[] = {
     {"phong", "Phong 1975; papers 000 and 003", "[R.V]^(n/4)", "R.V",

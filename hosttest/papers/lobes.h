@@ -2,9 +2,9 @@
 /* Every way to a highlight that papers 000 and 003 propose or compare, in real arithmetic, under one name each. Tables, charts,
  * kernels (hosttest/compare/, lobe-NAME) and reports use these names.
  *
- * All of them stand for max(0, cos)^n of an angle between N and H, Blinn's. Phong's takes the angle between R and V, which is twice
- * as large where L, V and N lie in one plane, and so the exponent n / 4: cos^(n/4) 2x and cos^n x both begin as 1 - n x^2 / 2. Off
- * that plane R.V and N.H differ in shape, not by a power, and no exponent makes one the other.
+ * All of them stand for max(0, cos)^n of an angle between N and H, Blinn's. Phong's takes the angle between R and V, which is
+ * twice as large where L, V and N lie in one plane, and so the exponent n / 4: cos^(n/4) 2x and cos^n x both begin as 1 - n x^2 /
+ * 2. Off that plane R.V and N.H differ in shape, not by a power, and no exponent makes one the other.
  */
 #ifndef PAPERS_LOBES_H
 #define PAPERS_LOBES_H

@@ -43,7 +43,7 @@ double measure_own_inflection(const paper_lobe *lobe, unsigned n)
     return PAPER_QUARTER_TURN;
 }
 
-/* ---------------------------------------------------------------------------------------------------------------------- table 1 */
+/* -------------------------------------------------------------------------------------------------------------------- table 1 */
 
 const char *const table1_rows[TABLE1_ROWS] = {"w4", "w8", "w16", "schlick"};
 const double table1_stated[2][TABLE1_ROWS] = {{8.0, 3.8, 1.0, 22.4}, {35.2, 16.2, 7.6, 98.2}};

@@ -25,8 +25,8 @@ typedef struct table1_reading {
     double off; /* how far they are apart, summed */
 } table1_reading;
 
-/* The reading under which most rows of a column are met, and these best, of: relative error, the same over the lobe, absolute error; up
- * to where cos^n or the lobe itself is level, every two-hundredth of one; n from 1, from 16, and n = 250 alone. */
+/* The reading under which most rows of a column are met, and these best, of: relative error, the same over the lobe, absolute
+ * error; up to where cos^n or the lobe itself is level, every two-hundredth of one; n from 1, from 16, and n = 250 alone. */
 const table1_reading *table1_best(int column);
 
 #endif
