@@ -82,7 +82,8 @@ for h in firmware/lambent.h port/fill.h port/board.h; do
 done
 
 say "gcc -O2"
-build gcc gcc "" "" tests tools models demo report_tools "$build/gcc/bin/replicate" "$build/gcc/bin/chart_data" && suite gcc
+build gcc gcc "" "" tests tools models demo report_tools && suite gcc
+build gcc gcc "" "" "$build/gcc/bin/replicate" "$build/gcc/bin/chart_data"
 run lmb-mesh hosttest/test_obj.sh "$build/gcc/bin/lmb-mesh" gcc
 show lmb-mesh
 run lmb-render hosttest/test_render.sh "$build/gcc/bin/lmb-render"
