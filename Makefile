@@ -72,9 +72,10 @@ report: report_tools $(B)/report/size.csv $(B)/report/cycles.csv $(B)/report/ker
 	$(Q)for t in lobe arc span image; do \
 	    echo "$(B)/report/$$t.csv"; $(B)/bin/report_$$t > $(B)/report/$$t.csv || exit 1; done
 
-## replicate: what three papers claim beside what we measure, claim by claim; report/papers.csv
+## replicate: what three papers claim beside what we measure, claim by claim; report/papers.csv, docs/REPLICATION.md
 replicate: $(B)/bin/replicate $(B)/report/kernel_cycles.csv
 	$(Q)$(B)/bin/replicate $(B)/report
+	$(Q)hosttest/replicate.sh $(B)/bin/replicate $(B)/report
 	$(Q)$(B)/bin/replicate --csv $(B)/report > $(B)/report/papers.csv
 
 ## stability: where each method is safe and what it does elsewhere, by sweeps; report/stability.csv
@@ -372,14 +373,14 @@ $(B)/bin/report_image: $(SCENES) $(REFERENCE)
 $(B)/bin/test_compare: $(patsubst %.c,$(B)/%.o,$(wildcard hosttest/compare/*.c)) $(SCENES) $(REFERENCE)
 
 # The papers, method by method: definitions in double, integer forms of comparisons, sweeps and claims.
-PAPERS := $(filter-out %/claim.o %/chart_data.o %/stability.o,$(patsubst %.c,$(B)/%.o,$(wildcard hosttest/papers/*.c hosttest/compare/*.c)))
-$(B)/bin/replicate: $(B)/hosttest/papers/claim.o $(PAPERS)
+PAPERS := $(filter-out %/replicate.o %/chart_data.o %/stability.o,$(patsubst %.c,$(B)/%.o,$(wildcard hosttest/papers/*.c hosttest/compare/*.c)))
+$(B)/bin/replicate: $(B)/hosttest/papers/replicate.o $(PAPERS)
 $(B)/bin/chart_data: $(B)/hosttest/papers/chart_data.o $(PAPERS)
 $(B)/bin/stability: $(B)/hosttest/papers/stability.o $(PAPERS)
 $(B)/bin/replicate $(B)/bin/chart_data $(B)/bin/stability: $(B)/liblambent.a
 	@mkdir -p $(@D)
 	$(Q)$(LINK)
-$(B)/bin/test_papers%: $(PAPERS)
+$(patsubst %,$(B)/bin/%,$(filter test_papers%,$(TESTS))): $(PAPERS)
 $(B)/bin/test_rotation: $(B)/hosttest/papers/rotation.o
 $(B)/bin/report_lobe $(B)/bin/report_arc: $(PAPERS)
 

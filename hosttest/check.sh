@@ -83,6 +83,7 @@ done
 
 say "gcc -O2"
 build gcc gcc "" "" tests tools models demo report_tools && suite gcc
+build gcc gcc "" "" "$build/gcc/bin/replicate" "$build/gcc/bin/chart_data"
 run lmb-mesh hosttest/test_obj.sh "$build/gcc/bin/lmb-mesh" gcc
 show lmb-mesh
 run lmb-render hosttest/test_render.sh "$build/gcc/bin/lmb-render"
@@ -185,6 +186,7 @@ for t in size cycles kernel_cycles; do
     verdict $? "report" "$t.csv, $(grep -c , "$build/report/$t.csv") lines" "$log/report"
 done
 hosttest/figures.sh "$build/report" --check 2>&1 | lines
+hosttest/replicate.sh "$build/gcc/bin/replicate" "$build/report" --check 2>&1 | lines
 
 say "budgets"
 hosttest/test_budgets.sh 2>&1 | lines

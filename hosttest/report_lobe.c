@@ -1,45 +1,49 @@
 /* SPDX-License-Identifier: MIT */
-/* Writes the accuracy of every lobe for every shininess as CSV: W_m of paper 000 and the tuned lobe, in real and in integer
- * arithmetic, against cos^n over the quarter turn.
+/* Writes the accuracy of every lobe of hosttest/papers/lobes.h for every shininess as CSV, in real arithmetic and, where it has a
+ * kernel of integers (hosttest/compare/), in integer arithmetic, against cos^n over the quarter turn.
  *
- * multiplications and additions are those of one evaluation once s = alpha - slope * (1 - cos) is there. Real W_m has its
- * argument clamped at zero; integer arithmetic adds its lift to W_m as well (lobe.h). at_degrees is where the largest error is;
- * the mean square is taken evenly over the angle.
+ * multiplications and additions are those of one evaluation from the argument that runs along a row; products of an exact power
+ * are those of squaring and multiplying, in integers three of 16 bits each; powf, expf, divisions and reads are not counted.
+ * at_degrees is where the largest error is; the mean square is taken evenly over the angle; monotone: never rises with the angle,
+ * on a grid of 4096.
  */
-#include "../firmware/lambent.h"
+#include "compare/compare.h"
+#include "papers/lobes.h"
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 enum { GRID = 4096, CANDIDATES = 6, FINE = 48 };
 
-static const double quarter = 1.57079632679489661923;
+static const double quarter = PAPER_QUARTER_TURN;
 
-static double power(double x, unsigned n)
+/* What is measured: a lobe in double, or its kernel. */
+typedef struct subject {
+    const paper_lobe *lobe;
+    const compare_lobe_kernel *kernel; /* NULL: in double */
+    const compare_lobe *prepared;
+    unsigned n;
+} subject;
+
+static const compare_lobe_kernel *kernel_of(const paper_lobe *lobe)
 {
-    double r = 1;
-    for (; n; n >>= 1, x *= x) {
-        if (n & 1) r *= x;
+    unsigned i;
+    for (i = 0; i < compare_lobe_count; i++) {
+        const compare_lobe_kernel *k = &compare_lobes[i];
+        if (!k->is_float && !strcmp(k->name + strlen("lobe-"), lobe->name)) return k;
     }
-    return r;
+    return NULL;
 }
 
-/* The lobe in real arithmetic, with the struct's constants; the one between the squarings makes the centre one. */
-static double real_lobe(const lmb_lobe *lobe, double v)
+static double value_at(const subject *s, double angle)
 {
-    double a = lobe->alpha_q30 / 1073741824.0, s = a - ldexp(lobe->slope, lobe->slope_shift - 15) * v;
-    double floor = a > 1 ? sqrt(a * a - 1) : 0;
-    if (s <= floor) return 0;
-    if (s >= a) return 1;
-    if (lobe->multiplications == 0) return s;
-    if (!lobe->crossed) return power(s * s + 1 - a * a, 1u << (lobe->multiplications - 1));
-    if (lobe->multiplications == 2) return (s * s + 1 / a - a * a) * s;
-    return power((s * s * s * s + 1 / (a * a) - a * a * a * a) * s * s, lobe->multiplications - 2u);
-}
-
-static double value_at(const lmb_lobe *lobe, int real, double v)
-{
-    return real ? real_lobe(lobe, v) : lmb_lobe_eval(lobe, (int32_t)lrint(v * 1073741824.0)) / 32768.0;
+    const double half = sin(angle / 2);
+    const int32_t cosine_q30 = (int32_t)(1073741824 - lrint(2 * half * half * 1073741824));
+    compare_argument argument;
+    if (!s->kernel) return s->lobe->at(s->n, angle);
+    s->kernel->arguments(s->prepared, &argument, &cosine_q30, 1);
+    return s->kernel->sum(s->prepared, &argument, 1) / 32768.0;
 }
 
 typedef struct figures {
@@ -47,21 +51,17 @@ typedef struct figures {
     int monotone;
 } figures;
 
-static double error_at(const lmb_lobe *lobe, int real, double angle)
-{
-    double half = sin(angle / 2), v = 2 * half * half;
-    return fabs(value_at(lobe, real, v) - power(1 - v, lobe->shininess));
-}
+static double error_at(const subject *s, double angle) { return fabs(value_at(s, angle) - paper_power(s->n, angle)); }
 
 /* Looks around an angle, then around the best found, each time in FINE steps to either side. */
-static void refine(const lmb_lobe *lobe, int real, double angle, double reach, figures *f)
+static void refine(const subject *s, double angle, double reach, figures *f)
 {
     for (int pass = 0; pass < 2; pass++) {
         double found = angle, largest = 0;
         for (int i = -FINE; i <= FINE; i++) {
             double x = angle + i * reach / FINE, e;
             if (x < 0 || x > quarter) continue;
-            e = error_at(lobe, real, x);
+            e = error_at(s, x);
             if (e > largest) largest = e, found = x;
         }
         if (largest > f->error) f->error = largest, f->angle = found;
@@ -70,13 +70,13 @@ static void refine(const lmb_lobe *lobe, int real, double angle, double reach, f
     }
 }
 
-/* v and truth: 1 - cos and cos^n on the grid. */
-static figures measure(const lmb_lobe *lobe, int real, const double *v, const double *truth)
+/* truth: cos^n on the grid. */
+static figures measure(const subject *s, const double *truth)
 {
     figures f = {0, 0, 0, 1};
     double e[GRID + 1], last = 1, sum = 0;
     for (int i = 0; i <= GRID; i++) {
-        double value = value_at(lobe, real, v[i]);
+        double value = value_at(s, i * quarter / GRID);
         if (value > last) f.monotone = 0;
         last = value;
         e[i] = fabs(value - truth[i]);
@@ -88,41 +88,33 @@ static figures measure(const lmb_lobe *lobe, int real, const double *v, const do
         for (int i = 1; i <= GRID; i++) {
             if (e[i] > e[best]) best = i;
         }
-        refine(lobe, real, best * quarter / GRID, quarter / GRID, &f);
+        refine(s, best * quarter / GRID, quarter / GRID, &f);
         for (int i = best - 8 < 0 ? 0 : best - 8; i <= GRID && i <= best + 8; i++) e[i] = 0;
     }
     return f;
 }
 
-static void print_line(const char *name, const lmb_lobe *lobe, int real, const double *v, const double *truth)
+static void print_line(const subject *s, const double *truth)
 {
-    figures f = measure(lobe, real, v, truth);
-    int additions = lobe->multiplications > 0;
-    if (real && lobe->alpha_q30 == 1 << 30) additions = 0; /* the constant that makes the centre one is then 0, in both forms */
-    printf("%s,%u,%s,%d,%d,%.7f,%.4f,%.7f,%d\n", name, (unsigned)lobe->shininess, real ? "real" : "integer",
-           lobe->multiplications, additions, f.error, f.angle * 90 / quarter, f.rms, f.monotone);
+    const figures f = measure(s, truth);
+    const lobe_cost cost = paper_lobe_cost(s->lobe, s->n, s->kernel ? LOBE_INTEGER : LOBE_CARRIED);
+    printf("%s,%u,%s,%d,%d,%.7f,%.4f,%.7f,%d\n", s->lobe->name, s->n, s->kernel ? "integer" : "real", cost.multiplications,
+           cost.additions, f.error, f.angle * 90 / quarter, f.rms, f.monotone);
 }
 
 int main(void)
 {
-    static const struct {
-        const char *name;
-        enum lmb_lobe_kind kind;
-    } lobes[] = {
-        {"w2", LMB_LOBE_W2}, {"w4", LMB_LOBE_W4}, {"w8", LMB_LOBE_W8}, {"w16", LMB_LOBE_W16}, {"lambent", LMB_LOBE_TUNED}};
-    static double v[GRID + 1], truth[GRID + 1];
+    static double truth[GRID + 1];
+    static compare_lobe prepared;
     printf("lobe,n,arithmetic,multiplications,additions,max_abs_error,at_degrees,rms_error,monotone\n");
-    for (int i = 0; i <= GRID; i++) {
-        double half = sin(i * quarter / GRID / 2);
-        v[i] = 2 * half * half;
-    }
     for (unsigned n = 1; n <= LMB_SHININESS_MAX; n++) {
-        for (int i = 0; i <= GRID; i++) truth[i] = power(1 - v[i], n);
-        for (int k = 0; k < 5; k++) {
-            lmb_lobe lobe;
-            if (lmb_lobe_prepare(&lobe, lobes[k].kind, n, 0) != LMB_OK) return 1;
-            print_line(lobes[k].name, &lobe, 1, v, truth);
-            print_line(lobes[k].name, &lobe, 0, v, truth);
+        if (compare_lobe_prepare(&prepared, n) != LMB_OK) return 1;
+        for (int i = 0; i <= GRID; i++) truth[i] = paper_power(n, i * quarter / GRID);
+        for (unsigned k = 0; k < paper_lobe_count; k++) {
+            subject s = {&paper_lobes[k], NULL, &prepared, n};
+            print_line(&s, truth);
+            s.kernel = kernel_of(s.lobe);
+            if (s.kernel) print_line(&s, truth);
         }
     }
     return 0;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The comparisons draw the right picture: frames, spans and lobes of hosttest/compare/ against doubles.
+/* The comparisons draw the right picture: frames and spans of hosttest/compare/ against doubles. Lobes: test_papers_kernels.c.
  *
  *   test_compare [SEED]
  *
@@ -467,98 +467,6 @@ static void test_spans(test_random *r)
     }
 }
 
-/* --------------------------------------------------------------------------------------------------------------------- lobes */
-
-/* What a lobe is by definition, and its bound for exponent n. */
-static double lobe_definition(const char *name, double c, double n, const compare_lobe *lobe, double *limit)
-{
-    const double argument = n / 65536; /* a cosine of 15 bits, and no lobe is steeper than n */
-    if (!strcmp(name, "lobe-powf")) {
-        *limit = 2e-4; /* the cosine has 24 bits, and n is 1000 */
-        return power_of(c, n);
-    }
-    if (!strcmp(name, "lobe-float-squarings") || !strcmp(name, "lobe-w16")) {
-        *limit = !strcmp(name, "lobe-w16") ? LMB_LOBE_ROUNDING : 2e-4;
-        return power_of(1 - n / 16 * (1 - c), 16);
-    }
-    if (!strncmp(name, "lobe-schlick", 12)) {
-        *limit = argument + (strcmp(name, "lobe-schlick") ? 1.0 / 512 : 1.0 / 32768) + 1e-9;
-        return schlick_of(c, n);
-    }
-    if (!strcmp(name, "lobe-table")) {
-        *limit = n * 0.5 / 255 + 1.0 / 32768; /* half an entry */
-        return power_of(c, n);
-    }
-    *limit = lobe->tuned.error_uq16 / 65536.0;
-    return power_of(c, n);
-}
-
-static double lobe_value(const compare_lobe_kernel *kernel, uint32_t word)
-{
-    float f;
-    memcpy(&f, &word, sizeof f);
-    return kernel->is_float ? (double)f : word / 32768.0;
-}
-
-/* The largest error over its bound, of 4096 cosines over the whole half turn and of those that are measured. */
-static void lobe_errors(const compare_lobe_kernel *kernel, unsigned n, double *over, double *error_16, bool *sums)
-{
-    static int32_t cosine[COMPARE_ARGUMENTS + 4096];
-    static compare_argument argument[COMPARE_ARGUMENTS + 4096];
-    compare_lobe lobe;
-    uint32_t sum = 0;
-    double limit;
-    unsigned i, count = COMPARE_ARGUMENTS + 4096;
-    if (compare_lobe_prepare(&lobe, n) != LMB_OK) {
-        *over = INFINITY;
-        return;
-    }
-    compare_lobe_cosines(cosine, n);
-    for (i = 1; i <= 4096; i++) cosine[COMPARE_ARGUMENTS + i - 1] = ((int32_t)i - 2048) * (1 << 19);
-    kernel->arguments(&lobe, argument, cosine, count);
-    for (i = 0; i < count; i++) {
-        double c = cosine[i] / 1073741824.0, want = lobe_definition(kernel->name, c, n, &lobe, &limit);
-        uint32_t word = kernel->sum(&lobe, &argument[i], 1);
-        double error = fabs(lobe_value(kernel, word) - want);
-        sum += word;
-        *over = fmax(*over, error / limit);
-        if (n == 16) *error_16 = fmax(*error_16, fabs(lobe_value(kernel, word) - power_of(c, n)));
-    }
-    *sums = *sums && sum == kernel->sum(&lobe, argument, count);
-}
-
-static void test_lobes(void)
-{
-    static const unsigned exponents[] = {1, 2, 3, 4, 5, 7, 8, 10, 12, 16, 17, 20, 32, 50, 64, 100, 128, 200, 300, 500, 1000};
-    unsigned k, i;
-    for (k = 1; k < compare_lobe_count; k++) {
-        const compare_lobe_kernel *kernel = &compare_lobes[k];
-        double over = 0, error_16 = 0;
-        bool sums = true;
-        for (i = 0; i < sizeof exponents / sizeof exponents[0]; i++) lobe_errors(kernel, exponents[i], &over, &error_16, &sums);
-        test_verdict(over <= 1 && over > 0 && sums, kernel->name,
-                     "at most %.3f of its bound over 21 exponents; sums %s; from cos^16 %.5f", over,
-                     sums ? "are those of single values" : "DIFFER from those of single values", error_16);
-    }
-}
-
-/* The cosines that are measured begin at one, fall, and end where the lobe does. */
-static void test_arguments(void)
-{
-    static const unsigned exponents[] = {1, 3, 16, 100, 1000};
-    unsigned i, k, bad = 0;
-    double end = 0;
-    for (i = 0; i < 5; i++) {
-        int32_t cosine[COMPARE_ARGUMENTS];
-        compare_lobe_cosines(cosine, exponents[i]);
-        bad += cosine[0] != 1 << 30;
-        for (k = 1; k < COMPARE_ARGUMENTS; k++) bad += cosine[k] >= cosine[k - 1] || cosine[k] < 0;
-        end = fmax(end, pow(cosine[COMPARE_ARGUMENTS - 1] / 1073741824.0, exponents[i]));
-    }
-    test_verdict(bad == 0 && end < 1 / 200.0, "arguments",
-                 "cosines fall from 1 to where the lobe is %.4f or less; %u out of order", end, bad);
-}
-
 int main(int argc, char **argv)
 {
     test_random r = test_seed(argc, argv);
@@ -566,7 +474,5 @@ int main(int argc, char **argv)
     test_frames(&r, 1);
     test_refusals();
     test_spans(&r);
-    test_lobes();
-    test_arguments();
     return test_end();
 }

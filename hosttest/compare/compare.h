@@ -25,6 +25,11 @@
 #define COMPARE_WITH_LIBM 1
 #endif
 
+/* 0 where flash is short: of the lobes leaves powf, float-squarings, blinn, schlick, schlick-8, w16, lambent, table256. */
+#ifndef COMPARE_WITH_ALL_LOBES
+#define COMPARE_WITH_ALL_LOBES 1
+#endif
+
 /* ---------------------------------------------------------------------------------------------------------------- material */
 
 #define COMPARE_SHININESS 16
@@ -98,11 +103,30 @@ extern const unsigned compare_span_count;
 
 /* ------------------------------------------------------------------------------------------------------------------- lobes */
 
+/* C - a W - b W^1/2, W = n x^2: the parabola of paper 003 in a form whose numbers hardly depend on n. */
+typedef struct compare_parabola {
+    int32_t c_q30;
+    uint16_t a_q15, b_q15;
+} compare_parabola;
+
+/* Refitted coefficients of paper 003 as laws in t = 1 / n: 10^6 a, b and C = c0 + c1 t + c2 t^2 + c3 t^3 with A = -n a and
+ * B = -n^1/2 b (hosttest/papers/chebyshev.h; test_papers_lobes compares). */
+/* clang-format off */
+#define COMPARE_LAW_A {266253, 94276, 10310, 22039}
+#define COMPARE_LAW_B {129296, -45086, -3122, -15060}
+#define COMPARE_LAW_C {1009090, -2853, 3, -1133}
+/* clang-format on */
+
 typedef struct compare_lobe {
-    lmb_lobe tuned;                 /* the library's own */
-    lmb_lobe w16;                   /* (1 - n/16 (1 - cos))^16, W_16 of paper 000, in the library's integers */
-    int32_t n;                      /* 1 to 1000 */
-    float n_f, ratio;               /* n, n / 16 */
+    lmb_lobe tuned;           /* the library's own */
+    lmb_lobe w2, w4, w8, w16; /* (1 - n/m (1 - cos))^m, W_m of paper 000, in the library's integers */
+    int32_t n, n_mirrored;    /* 1 to 1000; n / 4 to nearest, at least 1 */
+    float n_f, ratio;         /* n, n / 16 */
+    float published_f[2];     /* A, B as printed */
+    compare_parabola published, refit;
+    uint32_t parabola_end_q30, gauss_end_q30; /* x^2 / 2 from where these are zero */
+    uint16_t gauss_scale_q15;                 /* n / ln 2 over 2^gauss_shift, in [1, 2) */
+    uint8_t gauss_shift;
     uint16_t power[COMPARE_POWERS]; /* (i / 255)^n, UQ1.15 */
 } compare_lobe;
 
@@ -119,7 +143,7 @@ int compare_lobe_prepare(compare_lobe *lobe, unsigned n);
 void compare_lobe_cosines(int32_t cosine_q30[COMPARE_ARGUMENTS], unsigned n);
 
 typedef struct compare_lobe_kernel {
-    const char *name; /* lobe-none lobe-powf lobe-float-squarings lobe-schlick lobe-schlick-8 lobe-table lobe-w16 lobe-lambent */
+    const char *name; /* lobe- and a name of hosttest/papers/lobes.h, or one of docs/COMPARISON.md */
     bool is_float;    /* a value is the bit pattern of a float, rather than UQ1.15 */
     /* cosines in the form that the lobe takes */
     void (*arguments)(const compare_lobe *lobe, compare_argument *argument, const int32_t *cosine_q30, unsigned count);

@@ -6,11 +6,14 @@
 #if defined(__AVR__) /* double is float there, and the library has no names with an f */
 double sqrt(double x);
 double pow(double x, double y);
+double acos(double x);
 #define sqrtf sqrt
 #define powf pow
+#define acosf acos
 #else
 float sqrtf(float x);
 float powf(float x, float y);
+float acosf(float x);
 #endif
 
 #if defined(__GNUC__)

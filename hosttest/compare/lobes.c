@@ -1,19 +1,30 @@
 /* SPDX-License-Identifier: MIT */
-/* The lobe alone: max(0, cos)^n in each of the ways, in one and the same loop. */
+/* The lobe alone: max(0, cos)^n in each of the ways, in one and the same loop. Here what they share, division and table. */
+#include "lobe_parts.h"
 #include "powers.h"
-
-#include "floats.h"
-#include "walk.h"
 
 int compare_lobe_prepare(compare_lobe *lobe, unsigned n)
 {
-    int status = lmb_lobe_prepare(&lobe->tuned, LMB_LOBE_TUNED, n, 0);
-    if (status == LMB_OK) status = lmb_lobe_prepare(&lobe->w16, LMB_LOBE_W16, n, 0);
-    if (status != LMB_OK) return status;
+    const enum lmb_lobe_kind kind[5] = {LMB_LOBE_TUNED, LMB_LOBE_W2, LMB_LOBE_W4, LMB_LOBE_W8, LMB_LOBE_W16};
+    lmb_lobe *to[5];
+    unsigned i;
+    to[0] = &lobe->tuned;
+    to[1] = &lobe->w2;
+    to[2] = &lobe->w4;
+    to[3] = &lobe->w8;
+    to[4] = &lobe->w16;
+    for (i = 0; i < 5; i++) {
+        int status = lmb_lobe_prepare(to[i], kind[i], n, 0);
+        if (status != LMB_OK) return status;
+    }
     lobe->n = (int32_t)n;
+    lobe->n_mirrored = n < 6 ? 1 : (int32_t)(n + 2) / 4;
     lobe->n_f = (float)n;
     lobe->ratio = (float)n / 16;
     compare_powers(lobe->power, n);
+#if COMPARE_WITH_ALL_LOBES
+    compare_angles_prepare(lobe, n);
+#endif
     return LMB_OK;
 }
 
@@ -27,19 +38,6 @@ void compare_lobe_cosines(int32_t cosine_q30[COMPARE_ARGUMENTS], unsigned n)
         int32_t part = i * 65536 / (COMPARE_ARGUMENTS - 1);
         cosine_q30[i] = ((int32_t)1 << 30) - (int32_t)(((int64_t)part * part * last) >> 18);
     }
-}
-
-typedef uint32_t lobe_value(const compare_lobe *lobe, compare_argument argument);
-
-static COMPARE_INLINE uint32_t sum_of(const compare_lobe *lobe, const compare_argument *argument, unsigned count,
-                                      lobe_value *value)
-{
-    const compare_argument *end = argument + count;
-    uint32_t sum = 0;
-    do {
-        sum += value(lobe, *argument++);
-    } while (argument != end);
-    return sum;
 }
 
 /* ------------------------------------------------------------------------------------------------------------------ nothing */
@@ -56,57 +54,9 @@ static COMPARE_INLINE uint32_t none(const compare_lobe *lobe, compare_argument a
     return (uint32_t)argument.q;
 }
 
-static uint32_t sum_none(const compare_lobe *lobe, const compare_argument *argument, unsigned count)
-{
-    return sum_of(lobe, argument, count, none);
-}
+COMPARE_LOBE_SUM(compare_sum_none, none)
 
-/* ------------------------------------------------------------------------------------------------------------------- floats */
-
-#if COMPARE_WITH_LIBM
-
-static void as_float(const compare_lobe *lobe, compare_argument *argument, const int32_t *cosine_q30, unsigned count)
-{
-    (void)lobe;
-    while (count-- > 0) (argument++)->f = (float)*cosine_q30++ * (1.0f / 1073741824);
-}
-
-static COMPARE_INLINE uint32_t word(float x)
-{
-    compare_argument w;
-    w.f = x;
-    return (uint32_t)w.q;
-}
-
-static COMPARE_INLINE uint32_t power(const compare_lobe *lobe, compare_argument argument)
-{
-    return word(argument.f > 0 ? powf(argument.f, lobe->n_f) : 0.0f);
-}
-
-/* W_16 of paper 000, clamped at its zero: exact for n = 16. */
-static COMPARE_INLINE uint32_t squarings(const compare_lobe *lobe, compare_argument argument)
-{
-    float w = 1.0f - lobe->ratio * (1.0f - argument.f);
-    if (w <= 0) return 0;
-    w *= w;
-    w *= w;
-    w *= w;
-    return word(w * w);
-}
-
-static uint32_t sum_power(const compare_lobe *lobe, const compare_argument *argument, unsigned count)
-{
-    return sum_of(lobe, argument, count, power);
-}
-
-static uint32_t sum_squarings(const compare_lobe *lobe, const compare_argument *argument, unsigned count)
-{
-    return sum_of(lobe, argument, count, squarings);
-}
-
-#endif
-
-/* ------------------------------------------------------------------------------------------------------------------ Schlick */
+/* ---------------------------------------------------------------------------------------------------------------- Schlick */
 
 static void as_q15(const compare_lobe *lobe, compare_argument *argument, const int32_t *cosine_q30, unsigned count)
 {
@@ -131,17 +81,11 @@ static COMPARE_INLINE uint32_t schlick_8(const compare_lobe *lobe, compare_argum
     return ((t << 8) + (below >> 1)) / below << 7;
 }
 
-static uint32_t sum_schlick(const compare_lobe *lobe, const compare_argument *argument, unsigned count)
-{
-    return sum_of(lobe, argument, count, schlick);
-}
+COMPARE_LOBE_SUM(compare_sum_schlick, schlick)
 
-static uint32_t sum_schlick_8(const compare_lobe *lobe, const compare_argument *argument, unsigned count)
-{
-    return sum_of(lobe, argument, count, schlick_8);
-}
+COMPARE_LOBE_SUM(compare_sum_schlick_8, schlick_8)
 
-/* -------------------------------------------------------------------------------------------------------------------- table */
+/* ------------------------------------------------------------------------------------------------------------------ table */
 
 /* 255 cos with half of one added, Q.22 */
 static void as_index(const compare_lobe *lobe, compare_argument *argument, const int32_t *cosine_q30, unsigned count)
@@ -158,73 +102,37 @@ static COMPARE_INLINE uint32_t table(const compare_lobe *lobe, compare_argument 
     return argument.q > 0 ? lobe->power[argument.q >> 22] : 0;
 }
 
-static uint32_t sum_table(const compare_lobe *lobe, const compare_argument *argument, unsigned count)
-{
-    return sum_of(lobe, argument, count, table);
-}
+COMPARE_LOBE_SUM(compare_sum_table, table)
 
-/* -------------------------------------------------------------------------------------------------------- squarings, integer */
+/* -------------------------------------------------------------------------------------------------------------------- all */
 
-static void as_s(const lmb_lobe *lobe, compare_argument *argument, const int32_t *cosine_q30, unsigned count)
-{
-    while (count-- > 0) (argument++)->q = lmb_lobe_argument(lobe, ((int32_t)1 << 30) - *cosine_q30++);
-}
-
-static void as_tuned(const compare_lobe *lobe, compare_argument *argument, const int32_t *cosine_q30, unsigned count)
-{
-    as_s(&lobe->tuned, argument, cosine_q30, count);
-}
-
-static void as_w16(const compare_lobe *lobe, compare_argument *argument, const int32_t *cosine_q30, unsigned count)
-{
-    as_s(&lobe->w16, argument, cosine_q30, count);
-}
-
-/* As the library's own loops: the form is chosen once, outside. */
-static COMPARE_INLINE uint32_t sum_form(const lmb_lobe *lobe, const compare_argument *argument, unsigned count, unsigned m,
-                                        bool crossed)
-{
-    const compare_argument *end = argument + count;
-    uint32_t sum = 0;
-    do {
-        sum += (uint32_t)lmb_lobe_at_form(lobe, (argument++)->q, m, crossed);
-    } while (argument != end);
-    return sum;
-}
-
-static uint32_t sum_w16(const compare_lobe *lobe, const compare_argument *argument, unsigned count)
-{
-    return sum_form(&lobe->w16, argument, count, 4, false);
-}
-
-static uint32_t sum_lambent(const compare_lobe *lobe, const compare_argument *argument, unsigned count)
-{
-    const lmb_lobe *l = &lobe->tuned;
-    switch (l->multiplications + 8 * l->crossed) {
-    case 2:
-        return sum_form(l, argument, count, 2, false);
-    case 3:
-        return sum_form(l, argument, count, 3, false);
-    case 4:
-        return sum_form(l, argument, count, 4, false);
-    case 8 + 2:
-        return sum_form(l, argument, count, 2, true);
-    case 8 + 3:
-        return sum_form(l, argument, count, 3, true);
-    case 8 + 4:
-        return sum_form(l, argument, count, 4, true);
-    default:
-        return sum_form(l, argument, count, l->multiplications, l->crossed);
-    }
-}
-
+/* clang-format off */
 const compare_lobe_kernel compare_lobes[] = {
-    {"lobe-none", false, as_cosine, sum_none},
+    {"lobe-none", false, as_cosine, compare_sum_none},
 #if COMPARE_WITH_LIBM
-    {"lobe-powf", true, as_float, sum_power},       {"lobe-float-squarings", true, as_float, sum_squarings},
+    {"lobe-powf", true, compare_as_float, compare_sum_powf},
+    {"lobe-float-squarings", true, compare_as_float, compare_sum_float_squarings},
 #endif
-    {"lobe-schlick", false, as_q15, sum_schlick},   {"lobe-schlick-8", false, as_q15, sum_schlick_8},
-    {"lobe-table", false, as_index, sum_table},     {"lobe-w16", false, as_w16, sum_w16},
-    {"lobe-lambent", false, as_tuned, sum_lambent},
+    {"lobe-blinn", false, compare_as_versine, compare_sum_blinn},
+    {"lobe-schlick", false, as_q15, compare_sum_schlick},
+    {"lobe-schlick-8", false, as_q15, compare_sum_schlick_8},
+    {"lobe-w16", false, compare_as_w16, compare_sum_w16},
+    {"lobe-lambent", false, compare_as_tuned, compare_sum_lambent},
+    {"lobe-table256", false, as_index, compare_sum_table},
+#if COMPARE_WITH_ALL_LOBES
+    {"lobe-phong", false, compare_as_mirrored, compare_sum_phong},
+    {"lobe-gauss", false, compare_as_versine, compare_sum_gauss},
+    {"lobe-w2", false, compare_as_w2, compare_sum_w2},
+    {"lobe-w4", false, compare_as_w4, compare_sum_w4},
+    {"lobe-w8", false, compare_as_w8, compare_sum_w8},
+    {"lobe-chebyshev_published", false, compare_as_versine, compare_sum_chebyshev_published},
+    {"lobe-chebyshev_rootless", false, compare_as_versine, compare_sum_chebyshev_rootless},
+    {"lobe-lyon", false, compare_as_difference, compare_sum_lyon},
+#if COMPARE_WITH_LIBM
+    {"lobe-float-schlick", true, compare_as_float, compare_sum_float_schlick},
+    {"lobe-acosf", true, compare_as_float, compare_sum_acosf},
+#endif
+#endif
 };
+/* clang-format on */
 const unsigned compare_lobe_count = sizeof compare_lobes / sizeof compare_lobes[0];

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* make replicate: every claim of the three papers beside what we measure.
- * usage: replicate [--csv | --markdown PAPER] REPORT_FOLDER */
+/* Claims: their verdicts, and all of them as text, CSV and Markdown. */
 #include "claim.h"
 
 #include <math.h>
@@ -9,13 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST = 512, TEXT = 96 };
+enum { MOST = 512, TEXT = CLAIM_TEXT };
 
-static struct record {
-    claim about;
-    char stated[TEXT], measured[TEXT];
-    enum claim_verdict verdict;
-} record[MOST];
+static claim_record record[MOST];
 static unsigned records;
 
 static const char *const verdict_name[] = {"holds", "holds where defined", "does not hold"};
@@ -31,9 +26,9 @@ static void plain_or_fail(const char *text)
     if (strpbrk(text, ",\"\n")) fail("a comma, a quotation mark or a line's end in a record", text);
 }
 
-static struct record *add(claim c, bool met)
+static claim_record *add(claim c, bool met)
 {
-    struct record *r = &record[records];
+    claim_record *r = &record[records];
     if (records++ == MOST) fail("too many records", c.name);
     plain_or_fail(c.name);
     plain_or_fail(c.definition);
@@ -58,7 +53,7 @@ static bool meets(enum claim_bar bar, double stated, int digits, double measured
 void claim_number(claim c, enum claim_bar bar, double stated, int digits, const char *unit, double measured)
 {
     static const char *const sign[] = {"<= ", ">= ", ""};
-    struct record *r;
+    claim_record *r;
     if (isnan(measured)) fail("not measured, so run make report first", c.name);
     r = add(c, meets(bar, stated, digits, measured));
     snprintf(r->stated, TEXT, "%s%.*f%s", sign[bar], digits, stated, unit);
@@ -67,7 +62,7 @@ void claim_number(claim c, enum claim_bar bar, double stated, int digits, const 
 
 void claim_fact(claim c, const char *stated, bool met, const char *measured, ...)
 {
-    struct record *r = add(c, met);
+    claim_record *r = add(c, met);
     va_list arguments;
     snprintf(r->stated, TEXT, "%s", stated);
     va_start(arguments, measured);
@@ -95,11 +90,13 @@ double claim_instructions(const char *report, const char *core, const char *kern
 
 /* ------------------------------------------------------------------------------------------------------------------ printing */
 
-static void print_text(void)
+const claim_record *claim_latest(void) { return records ? &record[records - 1] : NULL; }
+
+void claim_print_text(void)
 {
     unsigned i, count[3] = {0, 0, 0};
     for (i = 0; i < records; i++) {
-        const struct record *r = &record[i];
+        const claim_record *r = &record[i];
         const bool first = i == 0 || strcmp(record[i - 1].about.name, r->about.name);
         if (i == 0 || strcmp(record[i - 1].about.paper, r->about.paper)) printf("\npaper %s\n", r->about.paper);
         if (first) printf("  %-38s states %s\n", r->about.name, r->stated);
@@ -109,7 +106,7 @@ static void print_text(void)
     printf("\n%u records: %u hold, %u hold where defined, %u do not hold\n", records, count[0], count[1], count[2]);
 }
 
-static void print_csv(void)
+void claim_print_csv(void)
 {
     unsigned i;
     printf("paper,claim,stated,measured,definition,verdict\n");
@@ -118,36 +115,15 @@ static void print_csv(void)
                record[i].about.definition, verdict_name[record[i].verdict]);
 }
 
-static void print_markdown(const char *paper)
+void claim_print_markdown(const char *paper)
 {
     unsigned i;
     printf("| claim | stated | measured | as we define it | verdict |\n|---|---|---|---|---|\n");
     for (i = 0; i < records; i++) {
-        const struct record *r = &record[i];
+        const claim_record *r = &record[i];
         const bool first = i == 0 || strcmp(record[i - 1].about.name, r->about.name);
         if (strcmp(r->about.paper, paper)) continue;
         printf("| %s | %s | %s | %s | %s |\n", first ? r->about.name : "", first ? r->stated : "", r->measured,
                r->about.definition, verdict_name[r->verdict]);
     }
-}
-
-int main(int argc, char **argv)
-{
-    const bool csv = argc == 3 && !strcmp(argv[1], "--csv");
-    const char *paper = argc == 4 && !strcmp(argv[1], "--markdown") ? argv[2] : NULL;
-    const char *report = argv[argc - 1];
-    if (argc != 2 && !csv && !paper) {
-        fprintf(stderr, "usage: replicate [--csv | --markdown PAPER] REPORT_FOLDER\n");
-        return 2;
-    }
-    claims_000(report);
-    claims_001(report);
-    claims_003(report);
-    if (csv)
-        print_csv();
-    else if (paper)
-        print_markdown(paper);
-    else
-        print_text();
-    return fflush(stdout) ? EXIT_FAILURE : EXIT_SUCCESS;
 }

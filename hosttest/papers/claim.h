@@ -37,6 +37,23 @@ __attribute__((format(printf, 4, 5)))
 #endif
 void claim_fact(claim c, const char *stated, bool met, const char *measured, ...);
 
+/* What was judged: as printed, and the verdict. */
+enum { CLAIM_TEXT = 96 };
+typedef struct claim_record {
+    claim about;
+    char stated[CLAIM_TEXT], measured[CLAIM_TEXT];
+    enum claim_verdict verdict;
+} claim_record;
+
+const claim_record *claim_latest(void); /* NULL before the first */
+
+void claim_print_text(void);
+void claim_print_csv(void);
+void claim_print_markdown(const char *paper); /* a table of one paper's */
+
+/* The lobes of papers 000 and 003 side by side, as a table in Markdown (lobe_table.c). */
+void claim_print_lobes(const char *report);
+
 /* The records of each paper; report: the folder of kernel_cycles.csv, whose counts some of them read. */
 void claims_000(const char *report);
 void claims_001(const char *report);

@@ -338,8 +338,9 @@ static void compared_spans(const scene *s)
     }
 }
 
-static bool is_empty(const char *name) { return name[5] == 'n'; }                          /* lobe-none */
-static const char *short_name(const char *name) { return name[5] == 'l' ? "lobe" : name; } /* lobe-lambent */
+static bool is_empty(const char *name) { return name[5] == 'n'; } /* lobe-none */
+/* lobe-lambent, and not lobe-lyon */
+static const char *short_name(const char *name) { return name[5] == 'l' && name[6] == 'a' ? "lobe" : name; }
 
 static void compared_lobes(void)
 {

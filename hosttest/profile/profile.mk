@@ -37,9 +37,10 @@ rv32ec.profile_ld := $(PROFILE)/rv32.ld
 lx106.profile_ld := $(PROFILE)/lx106.ld
 lx106.profile_flags := -DLMB_PROFILE_COMPARED=0
 
-# 16 KB of RAM: frames strip by strip, and kernels on a smaller surface. 128 KB of flash: two scenes beside all comparisons.
+# 16 KB of RAM: frames strip by strip, and kernels on a smaller surface. 128 KB of flash: two scenes beside all
+# frames and spans of comparison and eight of the lobes (compare.h).
 atmega1284p.profile_ld := $(PROFILE)/atmega1284p.ld
-atmega1284p.profile_flags := -DLMB_PROFILE_SIZE=128 -DLMB_PROFILE_BYTES=10752 \
+atmega1284p.profile_flags := -DLMB_PROFILE_SIZE=128 -DLMB_PROFILE_BYTES=10752 -DCOMPARE_WITH_ALL_LOBES=0 \
     -DSCENES="(SCENE_WITH_ICOSPHERE_320|SCENE_WITH_ICOSPHERE_128)"
 
 # Where an x86 instruction crosses a page, QEMU 7.2 reports it in two translations and executes it in one: so one by one.
