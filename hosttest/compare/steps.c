@@ -11,6 +11,7 @@ const compare_step_kernel compare_steps[] = {
     {"normalise_multiply", "normalise", 14, compare_begin_normal, compare_run_normalise_multiply},
 #if COMPARE_WITH_LIBM
     {"float_normalise", "normalise", 28, compare_begin_floats, compare_run_floats},
+    {"float_eq7_vector", "eq7_vector", 28, compare_begin_float_vector, compare_run_float_vector},
 #endif
     {"lyon_taylor", "lyon_taylor", 28, compare_begin_normal, compare_run_taylor},
     {"forward_length", "forward_length", 14, compare_begin_length, compare_run_length},

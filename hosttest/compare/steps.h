@@ -60,7 +60,8 @@ typedef struct compare_step_state {
             int32_t amplitude;    /* Q2.14 */
         } angle;
         struct {
-            float n[3], step[3], ray[3];
+            float n[3], step[3], ray[3]; /* of eq. 7 step is the normal before n, and cosine its factor, doubled */
+            float cosine;
         } floats;
         lmb_plain16 plain16[3];
         lmb_plain32 plain32[3];

@@ -25,6 +25,8 @@ compare_step_run compare_run_kuijk_blake;
 compare_step_begin compare_begin_vector16, compare_begin_vector32, compare_begin_plain16, compare_begin_plain32;
 compare_step_begin compare_begin_block16, compare_begin_block32, compare_begin_lambent;
 compare_step_run compare_run_vector16, compare_run_vector32, compare_run_plain16, compare_run_plain32, compare_run_block2;
+compare_step_begin compare_begin_float_vector;
+compare_step_run compare_run_float_vector;
 compare_step_run compare_run_block3, compare_run_block4, compare_run_block4_32, compare_run_lambent;
 
 static inline void compare_set_ray(compare_step_state *state, lmb_vec ray)

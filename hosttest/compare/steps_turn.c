@@ -79,6 +79,46 @@ COMPARE_APART void compare_run_vector32(compare_step_state *state, int32_t *out,
     } while (out != end);
 }
 
+#if COMPARE_WITH_LIBM
+
+/* In floats, as the paper's own trial on a desktop computer must have been. */
+void compare_begin_float_vector(compare_step_state *state, lmb_vec from, lmb_vec to, lmb_vec ray, unsigned pixels)
+{
+    const float part = 1.0f / 1073741824;
+    lmb_plain32 n[3];
+    unsigned i;
+    compare_begin_vector32(state, from, to, ray, pixels);
+    for (i = 0; i < 3; i++) n[i] = state->as.plain32[i];
+    for (i = 0; i < 3; i++) {
+        state->as.floats.n[i] = (float)n[i].f * part;
+        state->as.floats.step[i] = (float)n[i].before * part;
+        state->as.floats.ray[i] = (float)state->ray[i] * 16384;
+    }
+    state->as.floats.cosine = (float)n[0].cosine * (2 * part);
+}
+
+COMPARE_APART void compare_run_float_vector(compare_step_state *state, int32_t *out, unsigned count)
+{
+    const int32_t *end = out + count;
+    const float *ray = state->as.floats.ray, cosine = state->as.floats.cosine;
+    float n[3], before[3];
+    unsigned i;
+    for (i = 0; i < 3; i++) {
+        n[i] = state->as.floats.n[i];
+        before[i] = state->as.floats.step[i];
+    }
+    do {
+        *out++ = (int32_t)(n[0] * ray[0] + n[1] * ray[1] + n[2] * ray[2]);
+        for (i = 0; i < 3; i++) {
+            const float next = cosine * n[i] - before[i];
+            before[i] = n[i];
+            n[i] = next;
+        }
+    } while (out != end);
+}
+
+#endif
+
 /* ----------------------------------------------------------------------------------------------------------- eq. 14: of f */
 
 void compare_begin_plain16(compare_step_state *state, lmb_vec from, lmb_vec to, lmb_vec ray, unsigned pixels)
