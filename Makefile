@@ -360,14 +360,16 @@ $(B)/bin/test_obj: $(B)/port/host/polygon.o $(B)/port/host/mesh_build.o
 $(B)/bin/report_image: $(SCENES) $(REFERENCE)
 $(B)/bin/test_compare: $(patsubst %.c,$(B)/%.o,$(wildcard hosttest/compare/*.c)) $(SCENES) $(REFERENCE)
 
-# The papers, method by method: definitions in double, integer forms of comparisons, sweeps and claims.
-PAPERS := $(filter-out %/claim.o %/chart_data.o,$(patsubst %.c,$(B)/%.o,$(wildcard hosttest/papers/*.c hosttest/compare/*.c)))
-$(B)/bin/replicate: $(B)/hosttest/papers/claim.o $(PAPERS)
-$(B)/bin/chart_data: $(B)/hosttest/papers/chart_data.o $(PAPERS)
+# The papers, method by method: definitions in double, integer forms of comparisons, sweeps; and what claims and charts make of them.
+CLAIMS := $(patsubst %.c,$(B)/%.o,$(wildcard hosttest/papers/claim*.c))
+CHARTS := $(patsubst %.c,$(B)/%.o,$(wildcard hosttest/papers/chart*.c))
+PAPERS := $(filter-out $(CLAIMS) $(CHARTS),$(patsubst %.c,$(B)/%.o,$(wildcard hosttest/papers/*.c hosttest/compare/*.c)))
+$(B)/bin/replicate: $(CLAIMS) $(PAPERS)
+$(B)/bin/chart_data: $(CHARTS) $(PAPERS)
 $(B)/bin/replicate $(B)/bin/chart_data: $(B)/liblambent.a
 	@mkdir -p $(@D)
 	$(Q)$(LINK)
-$(B)/bin/test_papers%: $(PAPERS)
+$(filter $(B)/bin/test_papers%,$(TESTS:%=$(B)/bin/%)): $(PAPERS)
 $(B)/bin/report_lobe $(B)/bin/report_arc: $(PAPERS)
 
 $(B)/bin/test_image: $(B)/hosttest/test_image.o $(B)/hosttest/oiio.o $(SCENES) $(REFERENCE) $(B)/liblambent.a

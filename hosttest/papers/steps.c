@@ -158,15 +158,16 @@ const paper_step *paper_step_named(const char *name)
 
 /* ----------------------------------------------------------------------------------------------------------- costs and errors */
 
-static paper_cost weighed(paper_cost a, double s, paper_cost b, double t)
+/* (a s + b t) / d, whole numbers until the last. */
+static paper_cost weighed(paper_cost a, double s, paper_cost b, double t, double d)
 {
-    paper_cost c = {a.multiplications * s + b.multiplications * t,
-                    a.additions * s + b.additions * t,
-                    a.shifts * s + b.shifts * t,
-                    a.divisions * s + b.divisions * t,
-                    a.roots * s + b.roots * t,
-                    a.sines * s + b.sines * t,
-                    a.look_ups * s + b.look_ups * t};
+    paper_cost c = {(a.multiplications * s + b.multiplications * t) / d,
+                    (a.additions * s + b.additions * t) / d,
+                    (a.shifts * s + b.shifts * t) / d,
+                    (a.divisions * s + b.divisions * t) / d,
+                    (a.roots * s + b.roots * t) / d,
+                    (a.sines * s + b.sines * t) / d,
+                    (a.look_ups * s + b.look_ups * t) / d};
     return c;
 }
 
@@ -183,8 +184,8 @@ static paper_cost counted(const paper_step *step, unsigned pixels)
 void paper_step_cost(const paper_step *step, paper_cost *pixel, paper_cost *span)
 {
     const paper_cost few = counted(step, 24), many = counted(step, 48);
-    *pixel = weighed(many, 1.0 / 24, few, -1.0 / 24);
-    *span = weighed(few, 2, many, -1);
+    *pixel = weighed(many, 1, few, -1, 24);
+    *span = weighed(few, 2, many, -1, 1);
 }
 
 paper_span paper_span_flat(double psi, unsigned pixels, double phase, double lift)
