@@ -10,6 +10,7 @@ const compare_step_kernel compare_steps[] = {
     {"normalise_sqrt", "normalise", 14, compare_begin_normal, compare_run_normalise_sqrt},
     {"normalise_multiply", "normalise", 14, compare_begin_normal, compare_run_normalise_multiply},
 #if COMPARE_WITH_LIBM
+    {"float_normalise_textbook", "normalise", 28, compare_begin_floats, compare_run_floats_textbook},
     {"float_normalise", "normalise", 28, compare_begin_floats, compare_run_floats},
     {"float_eq7_vector", "eq7_vector", 28, compare_begin_float_vector, compare_run_float_vector},
 #endif

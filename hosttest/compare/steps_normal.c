@@ -208,4 +208,19 @@ COMPARE_APART void compare_run_floats(compare_step_state *state, int32_t *out, u
     } while (out != end);
 }
 
+/* As the paper counts it: the vector is normalised by three divisions, then multiplied. */
+COMPARE_APART void compare_run_floats_textbook(compare_step_state *state, int32_t *out, unsigned count)
+{
+    const int32_t *end = out + count;
+    const float *step = state->as.floats.step, *light = state->as.floats.ray;
+    float x = state->as.floats.n[0], y = state->as.floats.n[1], z = state->as.floats.n[2];
+    do {
+        const float square = x * x + y * y + z * z, length = square > 0 ? COMPARE_ROOT(square) : 1;
+        *out++ = (int32_t)(x / length * light[0] + y / length * light[1] + z / length * light[2]);
+        x += step[0];
+        y += step[1];
+        z += step[2];
+    } while (out != end);
+}
+
 #endif

@@ -17,7 +17,7 @@ compare_step_run compare_run_flat, compare_run_linear, compare_run_quadratic;
 /* steps_normal.c */
 compare_step_begin compare_begin_normal, compare_begin_length, compare_begin_floats;
 compare_step_run compare_run_normalise_textbook, compare_run_normalise_sqrt, compare_run_normalise_multiply;
-compare_step_run compare_run_taylor, compare_run_length, compare_run_map, compare_run_floats;
+compare_step_run compare_run_taylor, compare_run_length, compare_run_map, compare_run_floats, compare_run_floats_textbook;
 /* steps_angle.c */
 compare_step_begin compare_begin_kuijk_blake;
 compare_step_run compare_run_kuijk_blake;

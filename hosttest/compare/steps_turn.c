@@ -97,23 +97,25 @@ void compare_begin_float_vector(compare_step_state *state, lmb_vec from, lmb_vec
     state->as.floats.cosine = (float)n[0].cosine * (2 * part);
 }
 
+/* 2 cos(phi) n - before; n becomes before. */
+static COMPARE_INLINE void turn_float(float cosine, float *n, float *before)
+{
+    const float next = cosine * *n - *before;
+    *before = *n;
+    *n = next;
+}
+
 COMPARE_APART void compare_run_float_vector(compare_step_state *state, int32_t *out, unsigned count)
 {
     const int32_t *end = out + count;
-    const float *ray = state->as.floats.ray, cosine = state->as.floats.cosine;
-    float n[3], before[3];
-    unsigned i;
-    for (i = 0; i < 3; i++) {
-        n[i] = state->as.floats.n[i];
-        before[i] = state->as.floats.step[i];
-    }
+    const float *n = state->as.floats.n, *last = state->as.floats.step, *ray = state->as.floats.ray;
+    const float cosine = state->as.floats.cosine, rx = ray[0], ry = ray[1], rz = ray[2];
+    float x = n[0], y = n[1], z = n[2], x_before = last[0], y_before = last[1], z_before = last[2];
     do {
-        *out++ = (int32_t)(n[0] * ray[0] + n[1] * ray[1] + n[2] * ray[2]);
-        for (i = 0; i < 3; i++) {
-            const float next = cosine * n[i] - before[i];
-            before[i] = n[i];
-            n[i] = next;
-        }
+        *out++ = (int32_t)(x * rx + y * ry + z * rz);
+        turn_float(cosine, &x, &x_before);
+        turn_float(cosine, &y, &y_before);
+        turn_float(cosine, &z, &z_before);
     } while (out != end);
 }
 
