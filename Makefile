@@ -82,17 +82,20 @@ charts: $(B)/bin/chart_data
 	$(Q)mkdir -p $(B)/charts
 	$(Q)$(B)/bin/chart_data $(B)/charts
 	$(Q)hosttest/charts.sh $(B)/charts docs/charts
+	$(Q)for d in hosttest/charts/*.flow; do hosttest/flow.sh $$d docs/charts/$$(basename $$d .flow).svg || exit 1; done
 
 ## figures: write the README's table of figures anew
 figures: report
 	$(Q)hosttest/figures.sh $(B)/report
 
-## pictures: write docs/pictures/*.png anew from the demo scenes (needs oiiotool)
-pictures: demo
+## pictures: write docs/pictures/*.png and figure 3 of paper 001 anew from the demo scenes (needs oiiotool)
+pictures: demo $(B)/bin/picture_arc
 	$(Q)mkdir -p docs/pictures
 	$(Q)oiiotool $(addprefix $(B)/demo/,teapot-tight.bmp torus.bmp icosphere-1280-tight.bmp) --mosaic 3x1 \
 	    -o docs/pictures/gallery.png
 	$(Q)oiiotool $(B)/demo/still-life.bmp -o docs/pictures/still-life.png
+	$(Q)mkdir -p docs/charts && $(B)/bin/picture_arc $(B)/demo/paper-001-figure-3.ppm
+	$(Q)oiiotool $(B)/demo/paper-001-figure-3.ppm -o docs/charts/paper-001-figure-3.png
 
 ## firmware: build/firmware/TARGET/frames.elf for all targets, or TARGET=...; sizes of each
 firmware: $(CHOSEN:%=$(B)/firmware/%/frames.elf)
@@ -371,6 +374,10 @@ $(B)/bin/replicate $(B)/bin/chart_data: $(B)/liblambent.a
 	$(Q)$(LINK)
 $(filter $(B)/bin/test_papers%,$(TESTS:%=$(B)/bin/%)): $(PAPERS)
 $(B)/bin/report_lobe $(B)/bin/report_arc: $(PAPERS)
+
+$(B)/bin/picture_arc: $(B)/hosttest/picture_arc.o $(SCENES) $(REFERENCE) $(B)/liblambent.a
+	@mkdir -p $(@D)
+	$(Q)$(LINK)
 
 $(B)/bin/test_image: $(B)/hosttest/test_image.o $(B)/hosttest/oiio.o $(SCENES) $(REFERENCE) $(B)/liblambent.a
 	@mkdir -p $(@D)

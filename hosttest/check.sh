@@ -91,6 +91,8 @@ show lmb-render
 say "README example"
 run readme hosttest/test_readme.sh "$build/gcc" gcc
 show readme
+run flow hosttest/test_flow.sh
+show flow
 
 say "configurations"
 run configurations hosttest/test_configs.sh "$build/gcc" gcc
