@@ -40,7 +40,7 @@ STACKED := gloss-Os everything-Os gloss-O2 everything-O2
 PARTS := ARC CORNERS PERSPECTIVE DEPTH LARGE LOBES RGB565 RGB888 LIGHTS
 
 .DEFAULT_GOAL := help
-.PHONY: help demo check deps report replicate charts figures pictures size exhaustive tables check-tables tools models tests clean
+.PHONY: help demo check deps report replicate time charts figures pictures size exhaustive tables check-tables tools models tests clean
 .PHONY: firmware run boards frames digests gate profile stack budgets
 .DELETE_ON_ERROR:
 .SECONDARY:
@@ -77,8 +77,12 @@ replicate: $(B)/bin/replicate $(B)/report/kernel_cycles.csv
 	$(Q)$(B)/bin/replicate $(B)/report
 	$(Q)$(B)/bin/replicate --csv $(B)/report > $(B)/report/papers.csv
 
+## time: nanoseconds a pixel of the ways along a span, on this machine
+time: $(B)/bin/time_steps
+	$(Q)$(B)/bin/time_steps
+
 ## charts: draw docs/charts/*.svg and *.png anew from what we measure (needs gnuplot)
-charts: $(B)/bin/chart_data
+charts: $(B)/bin/chart_data $(B)/report/kernel_cycles.csv
 	$(Q)mkdir -p $(B)/charts
 	$(Q)$(B)/bin/chart_data $(B)/charts
 	$(Q)hosttest/charts.sh $(B)/charts docs/charts
@@ -369,7 +373,8 @@ CHARTS := $(patsubst %.c,$(B)/%.o,$(wildcard hosttest/papers/chart*.c))
 PAPERS := $(filter-out $(CLAIMS) $(CHARTS),$(patsubst %.c,$(B)/%.o,$(wildcard hosttest/papers/*.c hosttest/compare/*.c)))
 $(B)/bin/replicate: $(CLAIMS) $(PAPERS)
 $(B)/bin/chart_data: $(CHARTS) $(PAPERS)
-$(B)/bin/replicate $(B)/bin/chart_data: $(B)/liblambent.a
+$(B)/bin/time_steps: $(B)/hosttest/time_steps.o $(PAPERS)
+$(B)/bin/replicate $(B)/bin/chart_data $(B)/bin/time_steps: $(B)/liblambent.a
 	@mkdir -p $(@D)
 	$(Q)$(LINK)
 $(filter $(B)/bin/test_papers%,$(TESTS:%=$(B)/bin/%)): $(PAPERS)

@@ -57,7 +57,7 @@ static void exact(const char *name, bool literal, const char *definition, double
 static void turning(void)
 {
     exact("equations-2-to-6-agree", true, "1 to 175 degrees", worst_over(apart));
-    exact("normal-is-unit", true, "|N| by (6); 1 to 175 degrees", worst_over(off_unit));
+    exact("normal-is-unit", true, "length of N by (6); 1 to 175 degrees", worst_over(off_unit));
     exact("nk-is-unit-and-orthogonal", true, "of (5); 1 to 175 degrees", worst_over(across));
     exact("interpolates-the-ends", true, "(2) at t = 0 and m", worst_over(off_ends));
 }

@@ -219,21 +219,40 @@ static unsigned twice_from(const char *report, const char *core, const char *our
     return 0;
 }
 
-static void faster(const char *report, const char *core, const char *ours, const char *theirs, bool literal)
+/* What is compared: the paper's form, a rival, and whether the paper means those two. On the host instructions are not time, as a root
+ * is one of them: make time. */
+static const struct pair {
+    const char *ours, *theirs;
+    bool literal;
+} pairs[] = {{"float_eq7_vector", "float_normalise_textbook", true},
+             {"float_eq7_vector", "float_normalise", false},
+             {"eq7_vector16", "normalise_textbook", true},
+             {"eq7_vector32", "normalise_textbook", true},
+             {"eq7_vector32", "normalise_multiply", false},
+             {"plain16", "normalise_sqrt", false},
+             {"plain32", "normalise_multiply", false},
+             {"lambent", "normalise_multiply", false}};
+
+static void faster(const char *report, const char *core, const struct pair *p)
 {
     static const double length[] = {0, 32};
     static const char *const part[] = {"a pixel", "32 pixels and set-up"};
-    char text[128];
     unsigned i;
     for (i = 0; i < 2; i++) {
-        snprintf(text, sizeof text, "instructions %s; %s for %s; %s", core, ours, theirs, part[i]);
-        claim_number(claim_001("over-twice-as-fast", literal && i == 0, kept(text)), CLAIM_AT_LEAST, 2, 1, "x",
-                     span_cost(report, core, theirs, length[i]) / span_cost(report, core, ours, length[i]));
+        char text[128];
+        snprintf(text, sizeof text, "instructions %s; %s for %s; %s", core, p->ours, p->theirs, part[i]);
+        claim_number(claim_001("over-twice-as-fast", p->literal && i == 0 && core[0] == 'm', kept(text)), CLAIM_AT_LEAST, 2, 1,
+                     "x", span_cost(report, core, p->theirs, length[i]) / span_cost(report, core, p->ours, length[i]));
     }
-    snprintf(text, sizeof text, "shortest span on %s; %s for %s", core, ours, theirs);
-    i = twice_from(report, core, ours, theirs);
-    claim_fact(claim_001("twice-as-fast-from", false, kept(text)), "every length", i == 1,
-               i > 0 ? "%u pixels" : "none up to 4096%.0u", i);
+}
+
+static void faster_from(const char *report, const char *core, const struct pair *p)
+{
+    const unsigned pixels = twice_from(report, core, p->ours, p->theirs);
+    char text[128];
+    snprintf(text, sizeof text, "%s; %s for %s; set-up counted", core, p->ours, p->theirs);
+    claim_fact(claim_001("over-twice-as-fast-from", false, kept(text)), "spans of one pixel", pixels == 1,
+               pixels > 0 ? "%u pixels" : "no length up to 4096%.0u", pixels);
 }
 
 /* Whether the core was profiled: the host is one only where it can be. */
@@ -242,20 +261,15 @@ static bool measured(const char *report, const char *core) { return !isnan(claim
 void claims_001_speed(const char *report)
 {
     static const char *const core[] = {"m0plus", "host"};
-    unsigned i;
-    for (i = 0; i < 2; i++) {
-        if (i == 1 && !measured(report, core[i])) continue;
+    const unsigned cores = measured(report, core[1]) ? 2 : 1;
+    unsigned i, k;
+    for (i = 0; i < cores; i++)
         claim_number(claim_001("phong-dearer-than-gouraud", true,
                                i == 0 ? "m0plus; normalise_sqrt for linear; a pixel" : "host; the same"),
-                     CLAIM_AT_LEAST, 2, 0, "x",
+                     CLAIM_AT_LEAST, 2, 1, "x",
                      span_cost(report, core[i], "normalise_sqrt", 0) / span_cost(report, core[i], "linear", 0));
-        faster(report, core[i], "float_eq7_vector", "float_normalise_textbook", true);
-        faster(report, core[i], "float_eq7_vector", "float_normalise", false);
-        faster(report, core[i], "eq7_vector16", "normalise_textbook", true);
-        faster(report, core[i], "eq7_vector32", "normalise_textbook", true);
-        faster(report, core[i], "eq7_vector32", "normalise_multiply", false);
-        faster(report, core[i], "plain16", "normalise_sqrt", false);
-        faster(report, core[i], "plain32", "normalise_multiply", false);
-        faster(report, core[i], "lambent", "normalise_multiply", false);
-    }
+    for (i = 0; i < cores; i++)
+        for (k = 0; k < sizeof pairs / sizeof *pairs; k++) faster(report, core[i], &pairs[k]);
+    for (i = 0; i < cores; i++)
+        for (k = 0; k < sizeof pairs / sizeof *pairs; k++) faster_from(report, core[i], &pairs[k]);
 }
