@@ -105,6 +105,39 @@ static double any_reading(double phi)
     return least;
 }
 
+/* (11) with the numbers of the print and each choice of its three signs: a scan may lose a minus. The least of the worst. */
+static double any_signs(double phi)
+{
+    const double c = cos(phi), c2 = cos(2 * phi);
+    double least = 1e9;
+    int signs, k;
+    for (signs = 0; signs < 8; signs++) {
+        const double three = signs & 1 ? -3 : 3, four = signs & 2 ? -4 : 4, one = signs & 4 ? -1 : 1;
+        double worst = 0;
+        for (k = 0; k < 36; k++) {
+            const double x = 10 * k * CLAIM_DEGREE, f = cos(x), before = cos(x - phi);
+            const double got = 2 * f * c2 * (2 * c2 + three) - 2 * before * c * (c2 + four) + one * f;
+            worst = fmax(worst, fabs(got - cos(x + 4 * phi)));
+        }
+        least = fmin(least, worst);
+    }
+    return least;
+}
+
+/* (13): a light's colour may be multiplied into the ray once, since (14) is linear. */
+static double scaled_ray(void)
+{
+    static double f[PAPER_PIXELS_MAX + 4], g[PAPER_PIXELS_MAX + 4];
+    paper_span span = paper_span_flat(60 * CLAIM_DEGREE, 100, 0.5, 0.3);
+    double worst = 0;
+    unsigned t;
+    paper_step_named("eq14")->run(&span, f);
+    span.ray = scaled(span.ray, 0.7);
+    paper_step_named("eq14")->run(&span, g);
+    for (t = 0; t <= span.pixels; t++) worst = fmax(worst, fabs(g[t] - 0.7 * f[t]));
+    return worst;
+}
+
 /* In fixed point the recurrence of vectors fails, though it is exact. */
 static double vectors_of_16_bits(void)
 {
@@ -131,7 +164,9 @@ static void recurrences(void)
     exact("eq11", true, "as printed; phi = 0", once("block4_printed", 4, 0, 0));
     exact("eq11", true, "as printed; phi = 1 degree", once("block4_printed", 4, 1, 1));
     exact("eq11", true, "as printed; phi to 43 degrees", once("block4_printed", 4, 0, 43));
+    exact("eq11", false, "the best choice of three signs; phi = 10 degrees", any_signs(10 * CLAIM_DEGREE));
     exact("eq11", false, "corrected to (4 C^2 + 2 C - 1) N(t) - 4 c C N(t-1)", once("block4", 4, 0.25, 43));
+    exact("eq13", true, "0.7 L for L; 100 steps of (14)", scaled_ray());
     exact("eq14", true, "one step; phi to 45 degrees", once("eq14", 2, 0.25, 45));
 }
 

@@ -210,6 +210,12 @@ static double span_cost(const char *report, const char *core, const char *name, 
     return pixels > 0 ? set + pixels * each : each;
 }
 
+/* Instructions before the first pixel, on Cortex-M0+. */
+static double line_cost(const char *report, const char *name)
+{
+    return span_cost(report, "m0plus", name, 1) - span_cost(report, "m0plus", name, 0);
+}
+
 /* The shortest span on which a kernel is twice as fast as another; 0: none up to 4096. */
 static unsigned twice_from(const char *report, const char *core, const char *ours, const char *theirs)
 {
@@ -268,6 +274,9 @@ void claims_001_speed(const char *report)
                                i == 0 ? "m0plus; normalise_sqrt for linear; a pixel" : "host; the same"),
                      CLAIM_AT_LEAST, 2, 1, "x",
                      span_cost(report, core[i], "normalise_sqrt", 0) / span_cost(report, core[i], "linear", 0));
+    claim_fact(claim_001("kuijk-blake-lines-limit-it", true, "m0plus; instructions to prepare a line of it and of (14)"),
+               "limits its speed", line_cost(report, "kuijk_blake") > line_cost(report, "plain16"), "%.0f against %.0f",
+               line_cost(report, "kuijk_blake"), line_cost(report, "plain16"));
     for (i = 0; i < cores; i++)
         for (k = 0; k < sizeof pairs / sizeof *pairs; k++) faster(report, core[i], &pairs[k]);
     for (i = 0; i < cores; i++)
