@@ -52,6 +52,7 @@ void compare_begin_quadratic(compare_step_state *state, lmb_vec from, lmb_vec to
     state->as.sums.d = compare_over(2 * (c - a - bend), pixels, guard) + state->as.sums.c / 2;
 }
 
+/* The sums may wrap behind the last pixel, where a span of one or two pixels is steep. */
 COMPARE_APART void compare_run_quadratic(compare_step_state *state, int32_t *out, unsigned count)
 {
     const int32_t c = state->as.sums.c, *end = out + count;
@@ -59,7 +60,7 @@ COMPARE_APART void compare_run_quadratic(compare_step_state *state, int32_t *out
     int32_t f = state->as.sums.f, d = state->as.sums.d;
     do {
         *out++ = f;
-        f += d >> guard;
-        d += c;
+        f = lmb_add_wrap(f, d >> guard);
+        d = lmb_add_wrap(d, c);
     } while (out != end);
 }
