@@ -31,6 +31,15 @@ static uint32_t vectoring(int32_t *x, int32_t y)
     return angle;
 }
 
+/* rise / sin(psi), where it is at most 1.06 but for rounding, by the library's reciprocal: a 64-bit division is a long call. */
+static int32_t over_sine(int32_t rise_q28, uint32_t sine_q28)
+{
+    unsigned shift;
+    const uint32_t inverse = lmb_reciprocal(sine_q28, &shift); /* 2^(31 + shift) / sine */
+    const int64_t k_q28 = ((int64_t)rise_q28 * (int32_t)inverse) >> (3 + shift);
+    return k_q28 > 0x11000000 ? 0x11000000 : k_q28 < -0x11000000 ? -0x11000000 : (int32_t)k_q28;
+}
+
 void compare_begin_kuijk_blake(compare_step_state *state, lmb_vec from, lmb_vec to, lmb_vec ray, unsigned pixels)
 {
     const int32_t u_q28 = lmb_vec_half_distance_q28(&from, &to), a = compare_dot_q28(from, ray), b = compare_dot_q28(to, ray);
@@ -39,12 +48,7 @@ void compare_begin_kuijk_blake(compare_step_state *state, lmb_vec from, lmb_vec 
     const uint32_t sine_q28 = compare_root((uint32_t)u_q28 << 2) * compare_root(room_q28 << 1) / 23170 << 13;
     int32_t cosine_q28 = 0x10000000 - u_q28, k_q28 = 0, x = cosine_q28;
     uint32_t psi;
-    if (sine_q28 > 0) { /* (b - a + u a) / sin psi */
-        const int64_t rise = (int64_t)b - a + (((int64_t)u_q28 * a) >> 28);
-        k_q28 = (int32_t)(rise * 268435456 / (int32_t)sine_q28);
-        if (k_q28 > 0x11000000) k_q28 = 0x11000000;
-        if (k_q28 < -0x11000000) k_q28 = -0x11000000;
-    }
+    if (sine_q28 > 0) k_q28 = over_sine(b - a + lmb_mul_shr(u_q28, a, 28), sine_q28);
     psi = vectoring(&x, (int32_t)sine_q28);
     x = a;
     state->as.angle.angle = 0u - vectoring(&x, k_q28);

@@ -34,8 +34,8 @@ lx106.profile_ld := $(PROFILE)/lx106.ld
 lx106.profile_flags := -DLMB_PROFILE_COMPARED=0
 
 # 16 KB of RAM: frames strip by strip, and kernels on a smaller surface. 128 KB of flash: two scenes beside all comparisons but the
-# ways along a span, which take another 18 KB. Those alone, each by its name:
-#   make profile TARGET=atmega1284p SCENE=kernels MODEL=step-lambent B=build/steps \
+# ways along a span, which take another 18 KB. Those without the others:
+#   make profile TARGET=atmega1284p SCENE=kernels B=build/steps \
 #       CPPFLAGS='-ULMB_PROFILE_STEPS -DLMB_PROFILE_STEPS=1 -DLMB_PROFILE_COMPARED=0'
 atmega1284p.profile_ld := $(PROFILE)/atmega1284p.ld
 atmega1284p.profile_flags := -DLMB_PROFILE_SIZE=128 -DLMB_PROFILE_BYTES=10752 -DLMB_PROFILE_STEPS=0 \
