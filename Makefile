@@ -40,7 +40,7 @@ STACKED := gloss-Os everything-Os gloss-O2 everything-O2
 PARTS := ARC CORNERS PERSPECTIVE DEPTH LARGE LOBES RGB565 RGB888 LIGHTS
 
 .DEFAULT_GOAL := help
-.PHONY: help demo check deps report replicate stability charts figures pictures size exhaustive tables check-tables tools models tests clean
+.PHONY: help demo check deps report replicate stability time charts figures pictures size exhaustive tables check-tables tools models tests clean
 .PHONY: firmware run boards frames digests gate profile stack budgets
 .DELETE_ON_ERROR:
 .SECONDARY:
@@ -84,22 +84,29 @@ stability: $(B)/bin/stability
 	$(Q)$(B)/bin/stability
 	$(Q)$(B)/bin/stability --csv 2> /dev/null > $(B)/report/stability.csv
 
+## time: nanoseconds a pixel of the ways along a span, on this machine
+time: $(B)/bin/time_steps
+	$(Q)$(B)/bin/time_steps
+
 ## charts: draw docs/charts/*.svg and *.png anew from what we measure (needs gnuplot)
-charts: $(B)/bin/chart_data
+charts: $(B)/bin/chart_data $(B)/report/kernel_cycles.csv
 	$(Q)mkdir -p $(B)/charts
 	$(Q)$(B)/bin/chart_data $(B)/charts
 	$(Q)hosttest/charts.sh $(B)/charts docs/charts
+	$(Q)for d in hosttest/charts/*.flow; do hosttest/flow.sh $$d docs/charts/$$(basename $$d .flow).svg || exit 1; done
 
 ## figures: write the README's table of figures anew
 figures: report
 	$(Q)hosttest/figures.sh $(B)/report
 
-## pictures: write docs/pictures/*.png anew from the demo scenes (needs oiiotool)
-pictures: demo
+## pictures: write docs/pictures/*.png and figure 3 of paper 001 anew from the demo scenes (needs oiiotool)
+pictures: demo $(B)/bin/picture_arc
 	$(Q)mkdir -p docs/pictures
 	$(Q)oiiotool $(addprefix $(B)/demo/,teapot-tight.bmp torus.bmp icosphere-1280-tight.bmp) --mosaic 3x1 \
 	    -o docs/pictures/gallery.png
 	$(Q)oiiotool $(B)/demo/still-life.bmp -o docs/pictures/still-life.png
+	$(Q)mkdir -p docs/charts && $(B)/bin/picture_arc $(B)/demo/paper-001-figure-3.ppm
+	$(Q)oiiotool $(B)/demo/paper-001-figure-3.ppm -o docs/charts/paper-001-figure-3.png
 
 ## firmware: build/firmware/TARGET/frames.elf for all targets, or TARGET=...; sizes of each
 firmware: $(CHOSEN:%=$(B)/firmware/%/frames.elf)
@@ -372,17 +379,22 @@ $(B)/bin/test_obj: $(B)/port/host/polygon.o $(B)/port/host/mesh_build.o
 $(B)/bin/report_image: $(SCENES) $(REFERENCE)
 $(B)/bin/test_compare: $(patsubst %.c,$(B)/%.o,$(wildcard hosttest/compare/*.c)) $(SCENES) $(REFERENCE)
 
-# The papers, method by method: definitions in double, integer forms of comparisons, sweeps and claims.
-PAPERS := $(filter-out %/replicate.o %/chart_data.o %/stability.o,$(patsubst %.c,$(B)/%.o,$(wildcard hosttest/papers/*.c hosttest/compare/*.c)))
-$(B)/bin/replicate: $(B)/hosttest/papers/replicate.o $(PAPERS)
-$(B)/bin/chart_data: $(B)/hosttest/papers/chart_data.o $(PAPERS)
-$(B)/bin/stability: $(B)/hosttest/papers/stability.o $(PAPERS)
-$(B)/bin/replicate $(B)/bin/chart_data $(B)/bin/stability: $(B)/liblambent.a
+# The papers, method by method: definitions in double, integer forms of comparisons, sweeps, claims and charts.
+PAPER_PROGRAMS := replicate chart_data stability
+PAPERS := $(filter-out $(PAPER_PROGRAMS:%=$(B)/hosttest/papers/%.o), \
+    $(patsubst %.c,$(B)/%.o,$(wildcard hosttest/papers/*.c hosttest/compare/*.c)))
+$(PAPER_PROGRAMS:%=$(B)/bin/%): $(B)/bin/%: $(B)/hosttest/papers/%.o
+$(B)/bin/time_steps: $(B)/hosttest/time_steps.o
+$(PAPER_PROGRAMS:%=$(B)/bin/%) $(B)/bin/time_steps: $(PAPERS) $(B)/liblambent.a
 	@mkdir -p $(@D)
 	$(Q)$(LINK)
 $(patsubst %,$(B)/bin/%,$(filter test_papers%,$(TESTS))): $(PAPERS)
 $(B)/bin/test_rotation: $(B)/hosttest/papers/rotation.o
 $(B)/bin/report_lobe $(B)/bin/report_arc: $(PAPERS)
+
+$(B)/bin/picture_arc: $(B)/hosttest/picture_arc.o $(SCENES) $(REFERENCE) $(B)/liblambent.a
+	@mkdir -p $(@D)
+	$(Q)$(LINK)
 
 $(B)/bin/test_image: $(B)/hosttest/test_image.o $(B)/hosttest/oiio.o $(SCENES) $(REFERENCE) $(B)/liblambent.a
 	@mkdir -p $(@D)

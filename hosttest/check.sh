@@ -92,6 +92,8 @@ show lmb-render
 say "README example"
 run readme hosttest/test_readme.sh "$build/gcc" gcc
 show readme
+run flow hosttest/test_flow.sh
+show flow
 
 say "documents"
 hosttest/test_docs.sh 2>&1 | lines

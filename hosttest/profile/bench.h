@@ -5,6 +5,7 @@
 
 #include "../../port/demo/scenes.h"
 #include "../compare/compare.h"
+#include "../compare/steps.h"
 
 #ifndef LMB_PROFILE_SIZE
 #define LMB_PROFILE_SIZE 240 /* pixels a side */
@@ -21,6 +22,11 @@
 /* 0 where the tool chain has neither division nor floats: no comparisons. */
 #ifndef LMB_PROFILE_COMPARED
 #define LMB_PROFILE_COMPARED 1
+#endif
+
+/* 0 where flash does not hold the ways along a span beside everything else: no step_kernels.c. */
+#ifndef LMB_PROFILE_STEPS
+#define LMB_PROFILE_STEPS LMB_PROFILE_COMPARED
 #endif
 
 /* Whether the vertices of a scene have room there. */
@@ -50,10 +56,18 @@ extern union profile_memory {
         compare_lobe lobe;
         compare_argument arguments[COMPARE_ARGUMENTS];
         int32_t cosines[COMPARE_ARGUMENTS];
+#if LMB_PROFILE_STEPS
+        compare_step_state state;
+        int32_t out[80];
+#if COMPARE_WITH_MAP
+        compare_step_map map;
+#endif
+#endif
     } compared;
 } profile_memory;
 
-/* kernels.c; true if anything was measured. */
+/* kernels.c and step_kernels.c; true if anything was measured. */
 bool profile_kernels(void);
+bool profile_step_kernels(void);
 
 #endif

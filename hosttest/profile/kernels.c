@@ -12,6 +12,7 @@
  *   triangle-gloss, -worst     lmb_triangle_begin of triangles that are drawn: the mean of icosphere-320, the most of all scenes
  *   vertex                     lmb_mesh_project over the vertices of icosphere-320
  *   lobe, lobe-*               64 evaluations less a loop with none
+ *   step-*                     step_kernels.c
  *
  * Rows are filled by what fills them in frames, so it is the same loop. Whether pixels are dark or lit is checked. What is said:
  * "kernel NAME UNIT DIVISOR WEIGHT..." before as many regions as weights, "mean NAME UNIT" or "most NAME UNIT" before any number
@@ -398,5 +399,6 @@ bool profile_kernels(void)
     compared_spans(s);
     compared_lobes();
 #endif
+    any |= profile_step_kernels();
     return any;
 }

@@ -38,9 +38,11 @@ lx106.profile_ld := $(PROFILE)/lx106.ld
 lx106.profile_flags := -DLMB_PROFILE_COMPARED=0
 
 # 16 KB of RAM: frames strip by strip, and kernels on a smaller surface. 128 KB of flash: two scenes beside all
-# frames and spans of comparison and eight of the lobes (compare.h).
+# frames and spans of comparison, eight of the lobes (compare.h) and none of the ways along a span. Those without the others:
+#   make profile TARGET=atmega1284p SCENE=kernels B=build/steps \
+#       CPPFLAGS='-ULMB_PROFILE_STEPS -DLMB_PROFILE_STEPS=1 -DLMB_PROFILE_COMPARED=0'
 atmega1284p.profile_ld := $(PROFILE)/atmega1284p.ld
-atmega1284p.profile_flags := -DLMB_PROFILE_SIZE=128 -DLMB_PROFILE_BYTES=10752 -DCOMPARE_WITH_ALL_LOBES=0 \
+atmega1284p.profile_flags := -DLMB_PROFILE_SIZE=128 -DLMB_PROFILE_BYTES=10752 -DCOMPARE_WITH_ALL_LOBES=0 -DLMB_PROFILE_STEPS=0 \
     -DSCENES="(SCENE_WITH_ICOSPHERE_320|SCENE_WITH_ICOSPHERE_128)"
 
 # Where an x86 instruction crosses a page, QEMU 7.2 reports it in two translations and executes it in one: so one by one.
@@ -61,7 +63,7 @@ profile_flags = $($1.profile_flags) $(if $(findstring SCENES,$($1.profile_flags)
 profile_listing = $($1.prefix)objdump -t -d -w -z $2.elf > $2.lst
 
 profile_compared = $(if $(findstring COMPARED=0,$($1.profile_flags)),,$(wildcard hosttest/compare/*.c))
-profile_objects = $(patsubst %.c,$(B)/firmware/$1/%.o,$(addprefix $(PROFILE)/,bench.c kernels.c mark.c) $(profile_compared))
+profile_objects = $(patsubst %.c,$(B)/firmware/$1/%.o,$(addprefix $(PROFILE)/,bench.c kernels.c step_kernels.c mark.c) $(profile_compared))
 profile_tests = $(addprefix $(B)/firmware/$1/$(PROFILE)/,test_main.o mark.o \
     $(if $(filter arm-%,$($1.prefix)),test_thumb.o) $(if $(filter avr-,$($1.prefix)),test_avr.o))
 
