@@ -66,23 +66,18 @@ check: deps
 deps:
 	$(Q)hosttest/deps.sh
 
-## report: write build/report/*.csv, the errors of lobes, arcs, spans and images; sizes, cycles
-report: report_tools $(B)/report/size.csv $(B)/report/cycles.csv $(B)/report/kernel_cycles.csv
-	$(Q)mkdir -p $(B)/report
-	$(Q)for t in lobe arc span image; do \
-	    echo "$(B)/report/$$t.csv"; $(B)/bin/report_$$t > $(B)/report/$$t.csv || exit 1; done
+## report: write build/report/*.csv: errors of lobes, arcs, spans and images; sizes, cycles, their growth; papers, stability
+REPORTS := lobe arc span image size cycles kernel_cycles growth papers stability
+report: $(REPORTS:%=$(B)/report/%.csv)
 
 ## replicate: what three papers claim beside what we measure, claim by claim; report/papers.csv, docs/REPLICATION.md
-replicate: $(B)/bin/replicate $(B)/report/kernel_cycles.csv
+replicate: $(B)/bin/replicate $(B)/bin/stability $(B)/report/kernel_cycles.csv $(B)/report/arc.csv $(B)/report/papers.csv
 	$(Q)$(B)/bin/replicate $(B)/report
-	$(Q)hosttest/replicate.sh $(B)/bin/replicate $(B)/report
-	$(Q)$(B)/bin/replicate --csv $(B)/report > $(B)/report/papers.csv
+	$(Q)hosttest/replicate.sh $(B)/bin $(B)/report
 
 ## stability: where each method is safe and what it does elsewhere, by sweeps; report/stability.csv
-stability: $(B)/bin/stability
-	$(Q)mkdir -p $(B)/report
+stability: $(B)/bin/stability $(B)/report/stability.csv
 	$(Q)$(B)/bin/stability
-	$(Q)$(B)/bin/stability --csv 2> /dev/null > $(B)/report/stability.csv
 
 ## time: nanoseconds a pixel of the ways along a span, on this machine
 time: $(B)/bin/time_steps
@@ -403,6 +398,20 @@ $(B)/bin/test_image: $(B)/hosttest/test_image.o $(B)/hosttest/oiio.o $(SCENES) $
 $(B)/bin/test_%: $(B)/hosttest/test_%.o $(B)/liblambent.a
 	@mkdir -p $(@D)
 	$(Q)$(LINK)
+
+$(patsubst %,$(B)/report/%.csv,lobe arc span image): $(B)/report/%.csv: $(B)/bin/report_%
+	@mkdir -p $(@D)
+	@echo $@
+	$(Q)$< > $@
+
+$(B)/report/papers.csv: $(B)/bin/replicate $(B)/report/kernel_cycles.csv
+	@echo $@
+	$(Q)$< --csv $(B)/report > $@
+
+$(B)/report/stability.csv: $(B)/bin/stability
+	@mkdir -p $(@D)
+	@echo $@
+	$(Q)$< --csv 2> /dev/null > $@
 
 $(B)/bin/report_%: $(B)/hosttest/report_%.o $(B)/liblambent.a
 	@mkdir -p $(@D)

@@ -83,7 +83,7 @@ done
 
 say "gcc -O2"
 build gcc gcc "" "" tests tools models demo report_tools && suite gcc
-build gcc gcc "" "" "$build/gcc/bin/replicate" "$build/gcc/bin/chart_data"
+build gcc gcc "" "" "$build/gcc/bin/replicate" "$build/gcc/bin/chart_data" "$build/gcc/bin/stability"
 run lmb-mesh hosttest/test_obj.sh "$build/gcc/bin/lmb-mesh" gcc
 show lmb-mesh
 run lmb-render hosttest/test_render.sh "$build/gcc/bin/lmb-render"
@@ -182,13 +182,18 @@ for t in lobe arc span image; do
     "$build/gcc/bin/report_$t" >"$build/report/$t.csv" 2>"$log/report"
     verdict $? "report" "$t.csv, $(wc -l <"$build/report/$t.csv") lines" "$log/report"
 done
-for t in size cycles kernel_cycles; do
+for t in size cycles kernel_cycles growth; do
     $MAKE -s -j2 B="$build/targets" CC=gcc CFLAGS="$strict" "$build/targets/report/$t.csv" >"$log/report" 2>&1 &&
         cp "$build/targets/report/$t.csv" "$build/report"
     verdict $? "report" "$t.csv, $(grep -c , "$build/report/$t.csv") lines" "$log/report"
 done
 hosttest/figures.sh "$build/report" --check 2>&1 | lines
-hosttest/replicate.sh "$build/gcc/bin/replicate" "$build/report" --check 2>&1 | lines
+"$build/gcc/bin/replicate" --csv "$build/report" >"$build/report/papers.csv" 2>"$log/report"
+verdict $? "report" "papers.csv, $(grep -c , "$build/report/papers.csv") lines" "$log/report"
+"$build/gcc/bin/stability" --csv >"$build/report/stability.csv" 2>"$log/report"
+verdict $? "report" "stability.csv, $(grep -c , "$build/report/stability.csv") lines" "$log/report"
+hosttest/replicate.sh "$build/gcc/bin" "$build/report" --check 2>&1 | lines
+hosttest/test_charts.sh "$build/gcc/bin/chart_data" "$build/charts" 2>&1 | lines
 
 say "budgets"
 hosttest/test_budgets.sh 2>&1 | lines

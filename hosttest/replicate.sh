@@ -1,21 +1,26 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The tables of docs/REPLICATION.md, from what replicate prints: claims between each paper's marks, and the lobes.
-# usage: replicate.sh REPLICATE REPORT_FOLDER [--check]    (--check: compare only, exit status 1 if the page differs)
+# The tables of docs/REPLICATION.md, between their marks: claims of each paper, lobes, ways along a span, stability.
+# usage: replicate.sh PROGRAMS REPORT_FOLDER [--check]    (PROGRAMS: where replicate and stability are; --check: compare only, exit
+# status 1 if the page differs)
 set -u
-replicate=$1 report=$2 mode=${3:-write} page=docs/REPLICATION.md
-[ -s "$report/kernel_cycles.csv" ] || { echo "replicate: $report/kernel_cycles.csv is missing; run make replicate"; exit 1; }
+programs=$1 report=$2 mode=${3:-write} page=docs/REPLICATION.md
+for f in kernel_cycles arc; do
+    [ -s "$report/$f.csv" ] || { echo "replicate: $report/$f.csv is missing; run make replicate"; exit 1; }
+done
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cp "$page" "$work/page"
 status=0
-for table in $(sed -n 's/^<!-- \(claims [0-9]*\|lobes\): begin.*/\1/p' "$page" | tr ' ' -); do
+for table in $(sed -n 's/^<!-- \(claims [0-9]*\|lobes\|steps\|stability\): begin.*/\1/p' "$page" | tr ' ' -); do
     name=$(echo "$table" | tr - ' ')
     {
         echo "<!-- $name: begin (make replicate) -->"
         case $table in
-        lobes) "$replicate" --lobes "$report" || exit 1 ;;
-        *) "$replicate" --markdown "${table#claims-}" "$report" || exit 1 ;;
+        lobes) "$programs/replicate" --lobes "$report" || exit 1 ;;
+        steps) hosttest/steps_table.sh "$report" || exit 1 ;;
+        stability) "$programs/stability" --markdown 2>"$work/progress" || exit 1 ;;
+        *) "$programs/replicate" --markdown "${table#claims-}" "$report" || exit 1 ;;
         esac
         echo "<!-- $name: end -->"
     } >"$work/block" || exit 1
@@ -25,9 +30,9 @@ for table in $(sed -n 's/^<!-- \(claims [0-9]*\|lobes\): begin.*/\1/p' "$page" |
         index($0, "<!-- " name ": end") { skip = 0 }' "$work/page" >"$work/next"
     if [ "$mode" = --check ]; then
         if cmp -s "$work/page" "$work/next"; then
-            echo "pass replication $name: $(grep -c '^| ' "$work/block") lines, as replicate prints them"
+            echo "pass replication $name: $(grep -c '^| ' "$work/block") lines, as the commands print them"
         else
-            echo "FAIL replication $name: $page is not what replicate prints; run make replicate"
+            echo "FAIL replication $name: $page is not what the commands print; run make replicate"
             diff "$work/page" "$work/next"
             status=1
         fi

@@ -1,11 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # Ways along a span, cost beside error, as a table: from arc.csv and kernel_cycles.csv of make report.
-# usage: steps_table.sh REPORT_FOLDER [DOCUMENT]    (DOCUMENT: written anew between its marks)
+# usage: steps_table.sh REPORT_FOLDER
 set -eu
-report=$1 document=${2:-}
-table=$(mktemp)
-trap 'rm -f "$table" "$table.new"' EXIT
+report=$1
 awk -F, '
     FILENAME ~ /kernel_cycles/ && $2 ~ /^step-/ {
         name = substr($2, 6)
@@ -24,13 +22,4 @@ awk -F, '
                 figure(error[s, 15, 240]) " | " figure(error[s, 45, 100]) " | " figure(error[s, 90, 240]) " | " figure(error[s, 90, 800]) " |"
         }
         exit n == 0
-    }' "$report/kernel_cycles.csv" "$report/arc.csv" >"$table" || { echo "steps_table: run make report first" >&2; exit 1; }
-if [ -z "$document" ]; then
-    cat "$table"
-else
-    awk -v table="$table" '
-        { if (!skip) print }
-        /<!-- steps: begin/ { while ((getline line <table) > 0) print line; skip = 1 }
-        /<!-- steps: end/ { if (skip) print; skip = 0 }' "$document" >"$table.new"
-    cat "$table.new" >"$document"
-fi
+    }' "$report/kernel_cycles.csv" "$report/arc.csv" || { echo "steps_table: run make report first" >&2; exit 1; }
