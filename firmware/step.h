@@ -28,6 +28,14 @@ static inline void lmb_edge_step(lmb_edge *edge)
     edge->x = x;
 }
 
+/* The first pixel whose centre is not left of an edge, and the edge one row down. */
+static inline int32_t lmb_stride_step(lmb_stride *stride)
+{
+    const int32_t x = stride->x;
+    stride->x = lmb_add_wrap(x, stride->step); /* below the last row whatever it is */
+    return lmb_shr(x, LMB_STRIDE_BITS);
+}
+
 /* A plane one row down. */
 static inline void lmb_plane_row(lmb_plane *plane)
 {

@@ -93,6 +93,16 @@ static ALWAYS_INLINE const uint16_t *lit_ramp(const lmb_paint *paint, enum ramp_
     return paint->ramp + (use == RAMP_EVEN ? LMB_RAMP_TOP : 0);
 }
 
+static ALWAYS_INLINE uint32_t plain_sum(uint32_t a, uint32_t b)
+{
+#if defined(__thumb__) && !defined(__thumb2__)
+    __asm__("add %0, %1" : "+l"(a) : "l"(b) : "cc");
+    return a;
+#else
+    return a + b;
+#endif
+}
+
 /* Diffuse light, and the highlight where there is any. */
 static ALWAYS_INLINE uint32_t lit_sum(const uint16_t *ramp, int32_t diffuse, int32_t argument, enum ramp_use use,
                                       const gleam_use how)
@@ -104,9 +114,9 @@ static ALWAYS_INLINE uint32_t lit_sum(const uint16_t *ramp, int32_t diffuse, int
         light = ramp[gleam_step(argument, how.shift, how.even) + (even ? 0 : LMB_RAMP_TOP)];
         if (even) HIDE(light);
         if (how.glares) {
-            sum = argument < how.glare ? sum + light : GLARE_565(sum, light);
+            sum = argument < how.glare ? plain_sum(sum, light) : GLARE_565(sum, light);
         } else {
-            sum = how.saturates ? add_565(sum, light) : sum + light;
+            sum = how.saturates ? add_565(sum, light) : plain_sum(sum, light);
         }
     }
     return sum;
