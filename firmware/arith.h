@@ -59,6 +59,13 @@ LMB_STATIC_ASSERT((-1 & 3) == 3);   /* two's complement */
 #define LMB_APART
 #endif
 
+/* The same where a core has but eight registers; others take it in line. */
+#if defined(__thumb__) && !defined(__thumb2__)
+#define LMB_APART_IF_FEW LMB_APART
+#else
+#define LMB_APART_IF_FEW inline
+#endif
+
 /* Compilers may write short loops out, where code need not be small. */
 #if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__OPTIMIZE_SIZE__)
 #define LMB_UNROLL _Pragma("GCC unroll 8")

@@ -58,7 +58,7 @@ void lmb_mesh_begin(lmb_walk *walk, const lmb_mesh *mesh, const lmb_pose *pose, 
     walk->order = order;
     if (LMB_WITH_PERSPECTIVE) walk->corners = walk->fan = 0;
     lmb_rays_prepare(&walk->rays, look, &pose->rotation);
-    if (mesh->bend) walk->rays.bend_q28 = lmb_shade_bend(mesh->bend);
+    if (mesh->bend) lmb_shade_bend(&walk->rays, look, mesh->bend);
     walk->screen.mesh = mesh;
     walk->screen.pose = pose;
     walk->screen.camera = camera;

@@ -72,6 +72,7 @@ typedef struct lmb_rays {
 #endif
     } light[LMB_LIGHTS];
     int32_t bend_q28; /* what no edge's bulge exceeds */
+    int32_t far_q28;  /* a triangle with a corner whose 1 - N.H is greater has no highlight of light 0 */
 } lmb_rays;
 
 /* An arc: the normal turns evenly from pixel to pixel, by phi = psi / m over m pixels, and each dot product with it obeys
@@ -119,10 +120,10 @@ typedef struct lmb_edge_arc {
     bool straight; /* beyond LMB_ARC_U_MAX, or close to it */
 } lmb_edge_arc;
 
-/* A quadratic over the triangle in wrapping Q2.30, at some pixel: value, first differences to the right and down, second
- * differences; dxx is even. */
+/* A quadratic over the triangle in wrapping Q2.30, at some pixel: value, slope to the right at that pixel, first difference down, half
+ * the second difference to the right, the two others. n columns on it is f + n dx + n^2 bow. */
 typedef struct lmb_plane {
-    int32_t f, dx, dy, dxx, dxy, dyy;
+    int32_t f, dx, dy, bow, dxy, dyy;
 } lmb_plane;
 
 /* A triangle on its way into spans. Its planes stand in one column, at the next row. What rows need comes first, where cores with

@@ -44,14 +44,14 @@ static inline void lmb_plane_row(lmb_plane *plane)
     plane->dy = lmb_add_wrap(plane->dy, plane->dyy);
 }
 
-/* The term of a plane n columns right of where it stands: f + n d + n (n - 1) c / 2 and d + n c, in two products, as c is even. */
+/* The term of a plane n columns right of where it stands, in two products. */
 static inline lmb_term lmb_plane_term(const lmb_plane *plane, int32_t n)
 {
-    const int32_t c = plane->dxx, bow = lmb_mul_wrap(lmb_sub(n, 1), lmb_shr(c, 1)), d = lmb_add_wrap(plane->dx, bow);
+    const int32_t bow = plane->bow, half = lmb_mul_wrap(n, bow), mean = lmb_add_wrap(plane->dx, half);
     lmb_term term;
-    term.f = lmb_add_wrap(plane->f, lmb_mul_wrap(n, d));
-    term.d = lmb_add_wrap(d, lmb_add_wrap(bow, c));
-    term.c = c;
+    term.f = lmb_add_wrap(plane->f, lmb_mul_wrap(n, mean));
+    term.d = lmb_add_wrap(mean, lmb_add_wrap(half, bow));
+    term.c = lmb_add_wrap(bow, bow);
     return term;
 }
 

@@ -4,7 +4,7 @@
  * edge.c walks a remainder and is exact for edges of any size, in five loads and a carry a row. Here x and its step are single numbers
  * with 20 fraction bits, both rounded down. The first pixel whose centre is not left of the edge is the ceiling of the crossing
  * X = N / (16 dy), N whole: that of what is carried, as long as it lies above X - 1 / (16 dy) and not above X. So it may lack 2^16 /
- * dy units of 2^-20, and a step lacks hardly more than one: edges of up to 54 rows need no second thought, higher ones are begun anew
+ * dy units of 2^-20, and a step lacks hardly more than one: edges of up to 60 rows need no second thought, higher ones are begun anew
  * before their rows have used it up.
  *
  * The quotient dx / dy is found in two digits of ten bits, by a reciprocal of 17 that is never above the truth:
@@ -66,15 +66,8 @@ static inline uint32_t inverse_q17(uint32_t dy, unsigned zeros)
     return (r1_q10 << 7) + (uint32_t)lmb_shr(lmb_mul(e1_q25, (int32_t)r1_q10), 18);
 }
 
-/* Out of line where each needs the eight registers to itself. */
-#if defined(__thumb__) && !defined(__thumb2__)
-#define LMB_IN_PLACE LMB_APART
-#else
-#define LMB_IN_PLACE inline
-#endif
-
 /* dx / dy, LMB_STRIDE_BITS of fraction, modulo 2^32; it fits from a dy of 4 on. */
-static LMB_IN_PLACE int32_t step_of(int32_t dx, int32_t dy)
+static LMB_APART_IF_FEW int32_t step_of(int32_t dx, int32_t dy)
 {
     const unsigned zeros = zeros_of((uint32_t)dy), shift = 32 - FIRST - zeros;
     const uint32_t r_q17 = inverse_q17((uint32_t)dy, zeros);
@@ -91,9 +84,10 @@ static inline int32_t start_of(int32_t x, int32_t step, int32_t part)
     return lmb_add(along, lmb_add(lmb_shl(x, LMB_STRIDE_BITS - 4), (1L << (LMB_STRIDE_BITS - 1)) - 1));
 }
 
-/* Rows for which a stride serves: 7/8 of what dy allows, less what its start takes; none if its step does not fit. */
+/* Rows for which a stride serves: 7/8 of what dy allows, less what its start takes; none if its step does not
+ * fit. */
 #define LOW 4
-#define HIGH 512
+#define HIGH 960 /* so 61 rows, which take 63 of 68 units */
 static int32_t rows_good(int32_t dy)
 {
     return dy < LOW ? 0 : dy < HIGH ? 110 : dy < 1024 ? 54 : dy < 2048 ? 26 : dy < 4096 ? 12 : 5;
@@ -142,7 +136,7 @@ static void lower_begin(lmb_triangle *t)
     t->y_turn = t->y_end;
 }
 
-/* Most triangles have less than 32 rows, and their first one is seen. */
+/* Most triangles have no more than 60 rows, and their first one is seen. */
 void lmb_strides_begin(lmb_triangle *t)
 {
     const lmb_vertex *top = t->corner[0], *middle = t->corner[1], *bottom = t->corner[2];

@@ -139,8 +139,6 @@ bool lmb_triangle_front(lmb_triangle *t, const lmb_vertex *a, const lmb_vertex *
     t->depth_on = LMB_WITH_DEPTH && window->depth;
     t->window_left = window->left;
     t->window_right = window->right;
-    t->kind =
-        LMB_WITH_ARC && t->look->step == LMB_STEP_ARC && t->look->model >= LMB_MODEL_DIFFUSE ? LMB_SPAN_ARC : LMB_SPAN_PLANE;
     t->walked = 0;
     terms_begin(t, clockwise);
     return true;

@@ -82,7 +82,7 @@ static void random_corners(test_random *r, lmb_vertex v[3])
  * what a stride lacks. */
 static void tighten(test_random *r, lmb_vertex v[3])
 {
-    static const int32_t limit[] = {512, 1024, 2048, 4096, LMB_STRIDE_MAX};
+    static const int32_t limit[] = {960, 1024, 2048, 4096, LMB_STRIDE_MAX};
     const int32_t dy = limit[test_integer(r, 0, 4)] - (int32_t)test_integer(r, 1, 9), first = lmb_row_at(v[0].y);
     const int32_t row = first + (int32_t)test_integer(r, 0, dy / 16 < 120 ? dy / 16 : 120) - 1;
     int64_t below = 16 * (int64_t)row + 8 - v[0].y, a = dy, b = below % dy, u = 0, w = 1, dx;

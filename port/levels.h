@@ -26,6 +26,8 @@
 #else
 #define HIDE(x) __asm__("" : "+r"(x))
 #endif
+/* Keeps a compiler from doing before a test what only one of its branches needs. */
+#define HERE() __asm__ volatile("")
 /* Has what is not needed for a while wait in memory, where registers are too few for what is. */
 #if defined(__thumb__) && !defined(__thumb2__)
 #define PUT_BY(x) __asm__("" : "+m"(x))
@@ -37,6 +39,7 @@
 #define NOINLINE
 #define FORGET() ((void)0)
 #define HIDE(x) ((void)0)
+#define HERE() ((void)0)
 #define PUT_BY(x) ((void)0)
 #endif
 

@@ -57,12 +57,13 @@ static ALWAYS_INLINE int32_t columns_at(const lmb_triangle *t, int32_t x, const 
     return has_strides(how) ? x : lmb_sub(x, t->column);
 }
 
-/* n pixels of a row of a triangle, from where pixel is, so many columns right of where its planes stand. */
-static ALWAYS_INLINE void fill_run(const lmb_paint *paint, const lmb_triangle *t, uint16_t *pixel, uint32_t n, int32_t columns,
+/* Pixels of a row of a triangle, columns x to end - 1, row being where column 0 is. */
+static ALWAYS_INLINE void fill_run(const lmb_paint *paint, const lmb_triangle *t, uint16_t *row, int32_t x, int32_t end,
                                    const gleam_use gleam, uint16_t colour, const corner_steps *steps, const filling how)
 {
 #if LMB_WITH_RAMPS || GOURAUD_ROWS
     const lmb_plane *diffuse = &t->u.light[0].diffuse, *specular = &t->u.light[0].specular;
+    const int32_t columns = columns_at(t, x, how);
     lmb_term n_l = {0, 0, 0}, n_h = {0, 0, 0};
     if (how.diffuse) n_l = term_of(diffuse, columns, how.straight);
     if (how.specular) n_h = term_of(specular, columns, how.summed);
@@ -70,22 +71,22 @@ static ALWAYS_INLINE void fill_run(const lmb_paint *paint, const lmb_triangle *t
     (void)paint, (void)gleam, (void)steps, (void)how; /* of all runs none may be built in */
 #if GOURAUD_ROWS
     if (how.summed) {
-        corner_pixels(paint, steps, pixel, n, n_l, n_h, how.specular);
+        corner_pixels(paint, steps, row + x, (uint32_t)lmb_sub(end, x), n_l, n_h, how.specular);
         return;
     }
 #endif
 #if LMB_WITH_RAMPS
     if (how.specular) {
-        lit_run(paint, pixel, n, &n_l, &n_h, how.ramp, gleam);
+        lit_run(paint, row + x, row + end, &n_l, &n_h, how.ramp, gleam);
         return;
     }
     if (how.diffuse) {
-        plain_run(paint->ramp, pixel, n, &n_l, how.ramp, how.straight);
+        plain_run(paint->ramp, row + x, (uint32_t)lmb_sub(end, x), &n_l, how.ramp, how.straight);
         return;
     }
 #endif
-    (void)t, (void)columns;
-    solid_run(pixel, n, colour);
+    (void)t;
+    solid_run(row + x, row + end, colour);
 }
 
 /* The depth of a triangle at a row: the buffer's column 0, NULL for none, and the linear plane there. */
@@ -159,7 +160,7 @@ static ALWAYS_INLINE void fill_row(const lmb_paint *paint, const lmb_triangle *t
     uint16_t *const stored = rows->stored;
     depth_row depth;
     if (how.depth == DEPTH_NEVER || (LMB_LOOPS && !deep)) {
-        fill_run(paint, t, row + x, (uint32_t)lmb_sub(end, x), columns_at(t, x, how), gleam, colour, steps, how);
+        fill_run(paint, t, row, x, end, gleam, colour, steps, how);
         return;
     }
     depth.stored = depth.end = NULL;
@@ -189,18 +190,32 @@ static ALWAYS_INLINE void fill_row(const lmb_paint *paint, const lmb_triangle *t
             end = (int32_t)(depth.stored - stored);
             FORGET();
         }
-        fill_run(paint, t, row + x, (uint32_t)lmb_sub(end, x), columns_at(t, x, how), gleam, colour, steps, how);
+        fill_run(paint, t, row, x, end, gleam, colour, steps, how);
         if (depth.stored == depth.end) return;
         FORGET();
     }
 }
 
+/* Whether strides stay in registers from row to row: where pixels leave enough of them. */
+static ALWAYS_INLINE bool keeps_strides(const filling how)
+{
+#if defined(__thumb__) && !defined(__thumb2__)
+    return !how.diffuse && !how.specular;
+#elif defined(__arm__)
+    return !how.specular;
+#else
+    (void)how;
+    return true;
+#endif
+}
+
 /* Both sides of the next row, x to end - 1, cut by the window where it may cut; and one row down. */
-static ALWAYS_INLINE void sides_next(lmb_triangle *t, int32_t *x, int32_t *end, const filling how)
+static ALWAYS_INLINE void sides_next(lmb_triangle *t, lmb_stride side[2], int32_t *x, int32_t *end, const filling how)
 {
     if (has_strides(how)) {
-        *x = lmb_stride_step(&t->walk.stride[0]);
-        *end = lmb_stride_step(&t->walk.stride[1]);
+        lmb_stride *const stride = keeps_strides(how) ? side : t->walk.stride;
+        *x = lmb_stride_step(&stride[0]);
+        *end = lmb_stride_step(&stride[1]);
         return;
     }
     *x = t->walk.edge[0].x;
@@ -250,13 +265,18 @@ static ALWAYS_INLINE void fill_rows(const lmb_surface *surface, const lmb_paint 
     if (how.specular && how.ramp == RAMP_EVEN) t->u.light[0].diffuse.f = lmb_sub_wrap(t->u.light[0].diffuse.f, LIT_BELOW);
     for (;;) {
         int32_t rows = lmb_sub(stop, t->y);
+        lmb_stride side[2];
         t->y = stop;
+        if (has_strides(how) && keeps_strides(how)) {
+            side[0] = t->walk.stride[0];
+            side[1] = t->walk.stride[1];
+        }
         do {
             int32_t x, end;
             PUT_BY(row);
             PUT_BY(rows);
             PUT_BY(pitch);
-            sides_next(t, &x, &end, how);
+            sides_next(t, side, &x, &end, how);
             if (end > x) fill_row(paint, t, &depth, (uint16_t *)(void *)row, x, end, gleam, colour, steps, how);
             FORGET();
             PUT_BY(row);
@@ -267,7 +287,11 @@ static ALWAYS_INLINE void fill_rows(const lmb_surface *surface, const lmb_paint 
             if (how.specular) plane_next(&t->u.light[0].specular, how.summed);
             FORGET();
         } while (--rows != 0);
-        if (stop == t->y_end) return;
+        if (t->y == t->y_end) return; /* that is stop, which has no register */
+        if (has_strides(how) && keeps_strides(how)) {
+            t->walk.stride[0].x = side[0].x;
+            t->walk.stride[1].x = side[1].x;
+        }
         stop = sides_turn(t, how);
     }
 }
@@ -446,7 +470,7 @@ static NOINLINE void fill_lit_deep_bright(const lmb_surface *surface, const lmb_
     fill_rows(surface, paint, t, 0, NULL, how);
 }
 
-static bool is_curved(const lmb_plane *plane) { return (plane->dxx | plane->dxy | plane->dyy) != 0; }
+static bool is_curved(const lmb_plane *plane) { return (plane->bow | plane->dxy | plane->dyy) != 0; }
 
 /* The steps of highlights, up to one that does, that with a step of diffuse light do not run over. Neither ramp ever falls. */
 static uint32_t steps_below(const lmb_paint *paint, uint32_t diffuse, uint32_t running_over)

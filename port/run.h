@@ -46,10 +46,10 @@ typedef struct gleam_use {
  * which lies behind, and one register points to both. Otherwise from where its own begins. */
 #define LIT_BELOW ((int32_t)LMB_RAMP_TOP << RAMP_SHIFT)
 
-static ALWAYS_INLINE void solid_run(uint16_t *pixel, uint32_t n, uint16_t colour)
+static ALWAYS_INLINE void solid_run(uint16_t *pixel, const uint16_t *end, uint16_t colour)
 {
     do *pixel++ = colour;
-    while (--n > 0);
+    while (pixel != end);
 }
 
 #if LMB_WITH_RAMPS
@@ -111,6 +111,7 @@ static ALWAYS_INLINE uint32_t lit_sum(const uint16_t *ramp, int32_t diffuse, int
     uint32_t sum = ramp[even ? diffuse >> RAMP_SHIFT : (int32_t)ramp_step(diffuse, use)], light;
     if (even) HIDE(sum);
     if (argument > 0) {
+        if (even) HERE();
         light = ramp[gleam_step(argument, how.shift, how.even) + (even ? 0 : LMB_RAMP_TOP)];
         if (even) HIDE(light);
         if (how.glares) {
@@ -122,11 +123,10 @@ static ALWAYS_INLINE uint32_t lit_sum(const uint16_t *ramp, int32_t diffuse, int
     return sum;
 }
 
-static ALWAYS_INLINE void lit_run(const lmb_paint *paint, uint16_t *pixel, uint32_t n, lmb_term *n_l, lmb_term *n_h,
+static ALWAYS_INLINE void lit_run(const lmb_paint *paint, uint16_t *pixel, const uint16_t *end, lmb_term *n_l, lmb_term *n_h,
                                   enum ramp_use use, const gleam_use how)
 {
     const uint16_t *const ramp = lit_ramp(paint, use);
-    uint16_t *const end = pixel + n;
     lmb_term diffuse = *n_l, specular = *n_h;
     do {
         const uint32_t sum = lit_sum(ramp, diffuse.f, specular.f, use, how);

@@ -285,7 +285,7 @@ static void triangles(const scene *s)
     uint32_t i;
     if (s->objects != 1 || !PROFILE_FITS(o->mesh) || !paint_prepare(s, LMB_MODEL_GLOSS, LMB_STEP_QUADRATIC)) return;
     lmb_rays_prepare(&room.rays, &work->paint.look, &o->pose.rotation);
-    room.rays.bend_q28 = lmb_shade_bend(o->mesh->bend);
+    lmb_shade_bend(&room.rays, &work->paint.look, o->mesh->bend);
     lmb_surface_strip(&room.surface, LMB_RGB565, row, NULL, s->width, 0, s->height);
     lmb_mesh_project(o->mesh, &o->pose, &s->camera, profile_memory.vertices);
     for (i = 0; i < o->mesh->triangles; i++) {
