@@ -89,8 +89,13 @@ static LMB_APART_IF_FEW void lattice_prepare(lmb_lattice *l)
     l->step[1] = lmb_sub(y0, next->y);
     l->step[2] = lmb_sub(x0, last->x);
     l->step[3] = lmb_sub(next->x, x0);
-    if (!LMB_WITH_LARGE) down = lmb_fit(l->step, 4, NEAR_BITS); /* a coarser grid */
     l->bits = lmb_bits_of(l->step, 4);
+    if (!LMB_WITH_LARGE && l->bits > NEAR_BITS) { /* a coarser grid */
+        unsigned i;
+        down = l->bits - NEAR_BITS;
+        l->bits = NEAR_BITS;
+        for (i = 0; i < 4; i++) l->step[i] = lmb_shr(l->step[i], down);
+    }
     l->large = LMB_WITH_LARGE && l->bits > NEAR_BITS;
     lattice_area(l);
     l->column = anchor(l, x0, lmb_shr(x0, 4), &l->offset[0]);
