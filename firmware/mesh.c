@@ -19,11 +19,12 @@ static bool is_flat(const lmb_walk *walk) { return LMB_WITH_CORNERS && walk->loo
 static bool is_plain(const lmb_walk *walk)
 {
     const lmb_window *w = walk->window;
-    const lmb_vertex *v = walk->vertices, *end = v + walk->screen.mesh->vertices;
+    const lmb_vertex *v = walk->vertices, *end;
     const int32_t left = lmb_shl(w->left, 4), right = lmb_shl(w->right, 4), top = lmb_shl(w->top, 4),
                   bottom = lmb_shl(w->bottom, 4);
     bool in = right - left < PLAIN_MAX && bottom - top < PLAIN_MAX;
     if (!v || walk->order || is_flat(walk)) return false;
+    end = v + walk->screen.mesh->vertices;
     for (; in && v != end; v++) in = v->x >= left && v->x <= right && v->y >= top && v->y <= bottom;
     return in;
 }

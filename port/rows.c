@@ -296,7 +296,7 @@ static ALWAYS_INLINE void fill_rows(const lmb_surface *surface, const lmb_paint 
     }
 }
 
-#if LMB_LOOPS
+#if LMB_LOOPS && (LMB_WITH_CORNERS || LMB_WITH_RAMPS)
 
 /* Whether strides serve a triangle inside of its window. */
 static bool is_small(const lmb_triangle *t)
