@@ -59,6 +59,13 @@ LMB_STATIC_ASSERT((-1 & 3) == 3);   /* two's complement */
 #define LMB_APART
 #endif
 
+/* The same where a core has but eight registers; others take it in line. */
+#if defined(__thumb__) && !defined(__thumb2__)
+#define LMB_APART_IF_FEW LMB_APART
+#else
+#define LMB_APART_IF_FEW inline
+#endif
+
 /* Compilers may write short loops out, where code need not be small. */
 #if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__OPTIMIZE_SIZE__)
 #define LMB_UNROLL _Pragma("GCC unroll 8")
@@ -70,12 +77,19 @@ LMB_STATIC_ASSERT((-1 & 3) == 3);   /* two's complement */
 unsigned lmb_clz32_search(uint32_t x);
 int64_t lmb_mul_wide(int32_t a, int32_t b);
 
+/* Whether the core has a CLZ instruction. */
+#if defined(__GNUC__) && (!defined(__arm__) || defined(__ARM_FEATURE_CLZ)) && !defined(__riscv) && !defined(__AVR__) &&          \
+    !defined(__XTENSA__)
+#define LMB_CLZ 1
+#else
+#define LMB_CLZ 0
+#endif
+
 /* Number of leading zero bits of x in 32; 32 for x = 0. Cores without a CLZ instruction take a binary search in five steps,
  * so that no library helper with a table is linked. */
 static inline unsigned lmb_clz32(uint32_t x)
 {
-#if defined(__GNUC__) && (!defined(__arm__) || defined(__ARM_FEATURE_CLZ)) && !defined(__riscv) && !defined(__AVR__) &&          \
-    !defined(__XTENSA__)
+#if LMB_CLZ
     return x ? (unsigned)__builtin_clz(x) : 32u;
 #else
     return lmb_clz32_search(x);

@@ -60,7 +60,7 @@ static void end_at(const lmb_edge_arc *e, lmb_end *end)
 
 void lmb_edge_arc_begin(lmb_triangle *t, unsigned side, const lmb_vertex *top, const lmb_vertex *bottom)
 {
-    arc_begin(side ? &t->u.arc.right : &t->u.arc.left, top, bottom, t->y, (uint32_t)t->edge[side].modulus);
+    arc_begin(side ? &t->u.arc.right : &t->u.arc.left, top, bottom, t->y, (uint32_t)t->walk.edge[side].modulus);
 }
 
 void lmb_edge_arc_step(lmb_triangle *t)
@@ -121,11 +121,11 @@ static LMB_OUTLINE void term_step(const lmb_span *span, lmb_term *term)
 
 void lmb_edge_arc_span(const lmb_triangle *t, lmb_span *span, int32_t hidden)
 {
-    uint32_t from = behind(&t->edge[0], &t->u.arc.left), to = behind(&t->edge[1], &t->u.arc.right);
+    uint32_t from = behind(&t->walk.edge[0], &t->u.arc.left), to = behind(&t->walk.edge[1], &t->u.arc.right);
     lmb_run run;
     unsigned i;
     run.start = from;
-    run.length = arc_unit(lmb_shl(lmb_sub(t->edge[1].x, t->edge[0].x), 4)) + from - to; /* at least one: there is a pixel */
+    run.length = arc_unit(lmb_shl(lmb_sub(t->walk.edge[1].x, t->walk.edge[0].x), 4)) + from - to; /* at least one: there is a pixel */
     end_at(&t->u.arc.left, &run.ends.from);
     end_at(&t->u.arc.right, &run.ends.to);
     lmb_run_terms(t, span, &run);

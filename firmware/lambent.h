@@ -425,7 +425,9 @@ bool lmb_triangle_begin(lmb_triangle *triangle, const lmb_look *look, const lmb_
 /* Diffuse terms from here on count as one, Q2.30: 1.125 (N.L itself can pass one by rounding and by bulging). */
 #define LMB_DIFFUSE_TOP 0x48000000
 
-/* For loops that walk the rows themselves (step.h): takes the edge below the middle corner when y has reached y_switch. */
+/* For loops that walk the rows themselves (step.h): begins the edges at the next row, y; takes the one below the middle corner when y
+ * has reached y_switch. */
+void lmb_triangle_walk(lmb_triangle *triangle);
 void lmb_triangle_turn(lmb_triangle *triangle);
 
 /* The next span, top to bottom; false when there is none left. Every pixel of the triangle inside the window comes once. */

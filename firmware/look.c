@@ -165,6 +165,7 @@ void lmb_rays_prepare(lmb_rays *rays, const lmb_look *look, const lmb_matrix *ro
 {
     unsigned i;
     rays->bend_q28 = LMB_BEND_UNKNOWN;
+    rays->far_q28 = INT32_MAX;
     for (i = 0; i < lmb_look_lights(look); i++) {
         struct lmb_ray *ray = &rays->light[i];
         lmb_vec_copy(&ray->direction, &look->light[i].direction);

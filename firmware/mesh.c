@@ -37,10 +37,11 @@ static inline bool misses(rows r, int32_t a, int32_t b, int32_t c)
 static bool is_plain(lmb_walk *walk)
 {
     const lmb_window *w = walk->window;
-    const lmb_vertex *v = walk->vertices, *end = v + walk->screen.mesh->vertices;
+    const lmb_vertex *v = walk->vertices, *end;
     const int32_t left = lmb_shl(w->left, 4), right = lmb_shl(w->right, 4), top = lmb_shl(w->top, 4),
                   bottom = lmb_shl(w->bottom, 4);
     if (!v || walk->order || is_flat(walk) || right - left >= PLAIN_MAX) return false;
+    end = v + walk->screen.mesh->vertices;
     while (v != end && v->x >= left && v->x <= right && v->y >= top && v->y <= bottom) v++;
     if (v == end && bottom - top < PLAIN_MAX) {
         walk->strip = false;
@@ -103,7 +104,7 @@ void lmb_mesh_begin(lmb_walk *walk, const lmb_mesh *mesh, const lmb_pose *pose, 
     walk->order = order;
     if (LMB_WITH_PERSPECTIVE) walk->corners = walk->fan = 0;
     lmb_rays_prepare(&walk->rays, look, &pose->rotation);
-    if (mesh->bend) walk->rays.bend_q28 = lmb_shade_bend(mesh->bend);
+    if (mesh->bend) lmb_shade_bend(&walk->rays, look, mesh->bend);
     walk->screen.mesh = mesh;
     walk->screen.pose = pose;
     walk->screen.camera = camera;

@@ -29,7 +29,8 @@
 #define NEAR_BITS 13   /* 512 pixels in 1/16 pixel */
 #define ANCHOR_MAX 255 /* pixels: within most displays */
 #define BULGE_BITS 27  /* no bulge reaches a half, Q4.28 */
-/* Rounded gradients are exact enough up to some product of length over height and the deepest bulge, Q4.28: a half, or two. */
+/* Rounded gradients are exact enough up to some product of length over height and the deepest bulge, Q4.28: a half, or, for formats of
+ * no more than 6 bits a channel, two. */
 #define LIMIT_FINE 27
 #define LIMIT_COARSE 29
 #define LONG_BITS 7                         /* 128 times: whole products for all their planes */
@@ -39,6 +40,7 @@ unsigned lmb_bits_of(const int32_t *values, unsigned count)
 {
     uint32_t all = 0;
     unsigned i;
+    LMB_UNROLL
     for (i = 0; i < count; i++) all |= (uint32_t)(values[i] ^ lmb_shr(values[i], 31));
     return 32u - lmb_clz32(all | 1);
 }
@@ -77,14 +79,7 @@ static int32_t anchor(const lmb_lattice *l, int32_t corner, int32_t pixel, int32
     return pixel;
 }
 
-void lmb_lattice_begin(lmb_lattice *lattice, const lmb_vertex *const corner[3], bool fine)
-{
-    lattice->corner = corner;
-    lattice->limit = fine ? LIMIT_FINE : LIMIT_COARSE;
-    lattice->ready = lattice->graded = lattice->rough = false;
-}
-
-static LMB_APART void lattice_prepare(lmb_lattice *l)
+static LMB_APART_IF_FEW void lattice_prepare(lmb_lattice *l)
 {
     const lmb_vertex *top = l->corner[0], *next = l->corner[1], *last = l->corner[2];
     int32_t x0 = top->x, y0 = top->y;
@@ -94,15 +89,20 @@ static LMB_APART void lattice_prepare(lmb_lattice *l)
     l->step[1] = lmb_sub(y0, next->y);
     l->step[2] = lmb_sub(x0, last->x);
     l->step[3] = lmb_sub(next->x, x0);
-    if (!LMB_WITH_LARGE) down = lmb_fit(l->step, 4, NEAR_BITS); /* a coarser grid */
     l->bits = lmb_bits_of(l->step, 4);
+    if (!LMB_WITH_LARGE && l->bits > NEAR_BITS) { /* a coarser grid */
+        unsigned i;
+        down = l->bits - NEAR_BITS;
+        l->bits = NEAR_BITS;
+        for (i = 0; i < 4; i++) l->step[i] = lmb_shr(l->step[i], down);
+    }
     l->large = LMB_WITH_LARGE && l->bits > NEAR_BITS;
     lattice_area(l);
     l->column = anchor(l, x0, lmb_shr(x0, 4), &l->offset[0]);
     l->row = anchor(l, y0, lmb_row_at(y0), &l->offset[1]);
-    l->flat = l->shift + FLAT_BITS < 2 * l->bits;
-    l->exact = LMB_WITH_LARGE && (l->large || l->shift + LONG_BITS < 2 * l->bits);
     l->rough = l->large;
+    l->exact = LMB_WITH_LARGE && (l->large || l->shift + LONG_BITS < 2 * l->bits);
+    l->flat = (l->exact || !LMB_WITH_LARGE) && l->shift + FLAT_BITS < 2 * l->bits;
     l->shift += down; /* p / 2^down over area / 4^down is p over area times 2^down */
 }
 
@@ -130,13 +130,40 @@ static LMB_OUTLINE int32_t mix(int32_t a, int32_t b, int32_t c, int32_t d)
     return lmb_shr(lmb_add(lmb_add(lmb_mul16(a, b), lmb_mul16(c, d)), 0x4000), 15);
 }
 
+/* place; usual: shift is in 0...31. */
+static inline int32_t place_if(int32_t x, int32_t shift, bool usual)
+{
+    return usual ? lmb_shr(x, (unsigned)shift) : place(x, shift);
+}
+
+/* Second differences, and what they make of first ones and the value at the anchor. At the offset o the first differences of half a
+ * pixel on are (xx (o + 8) + xy o') / 16, the value (xx o o / 2 + xy o o' + yy o' o' / 2) / 256. */
+static inline void curve_place(lmb_plane *plane, const int32_t offset[2], int32_t xx, int32_t xy, int32_t yy, int32_t shift,
+                               bool usual)
+{
+    const int32_t x = offset[0], y = offset[1];
+    int32_t sum;
+    plane->bow = lmb_half(place_if(xx, shift, usual));
+    plane->dxy = place_if(xy, shift, usual);
+    plane->dyy = place_if(yy, shift, usual);
+    xx = lmb_shr(xx, 5);
+    xy = lmb_shr(xy, 5);
+    yy = lmb_shr(yy, 5);
+    sum = lmb_add(lmb_mul(xx, lmb_add(x, 8)), lmb_mul(xy, y));
+    plane->dx = lmb_sub_wrap(lmb_add_wrap(plane->dx, place_if(sum, shift - 1, usual)), plane->bow);
+    sum = lmb_add(lmb_mul(yy, lmb_add(y, 8)), lmb_mul(xy, x));
+    plane->dy = lmb_add_wrap(plane->dy, place_if(sum, shift - 1, usual));
+    sum = lmb_mul(lmb_add(lmb_mul(lmb_shr(xx, 4), x), lmb_mul(lmb_shr(xy, 3), y)), x);
+    sum = lmb_add(sum, lmb_mul(lmb_mul(lmb_shr(yy, 4), y), y));
+    plane->f = lmb_add_wrap(plane->f, place_if(sum, shift, usual));
+}
+
 /* Adds the quadratic part. With bulges raised to q in units of 2^-(15 + up), |q| <= 2^13 and 3 * 2^12, w and u lie within 2^14.4 and a
- * second difference m = g1 w + g2 u within 2^30.4; it is m 2^(2 bits - 2 shift + 11 - up) in Q2.30. At the offset o the first
- * differences of half a pixel on are (xx (o + 8) + xy o') / 16, the value (xx o o / 2 + xy o o' + yy o' o' / 2) / 256. */
+ * second difference m = g1 w + g2 u within 2^30.4; it is m 2^(2 bits - 2 shift + 11 - up) in Q2.30. */
 static LMB_APART void plane_curve(lmb_plane *plane, lmb_lattice *l, const lmb_net *net, unsigned size)
 {
     const unsigned up = size < BULGE_BITS ? BULGE_BITS - size : 0;
-    const int32_t shift = lmb_mul((int32_t)l->shift - (int32_t)l->bits, 2) - 12 + (int32_t)up, x = l->offset[0], y = l->offset[1];
+    const int32_t shift = lmb_mul((int32_t)l->shift - (int32_t)l->bits, 2) - 12 + (int32_t)up;
     int32_t q[3], w[2], u[2], xx, xy, yy, sum;
     unsigned i;
     if (!l->graded) grade(l);
@@ -152,19 +179,11 @@ static LMB_APART void plane_curve(lmb_plane *plane, lmb_lattice *l, const lmb_ne
     xy = lmb_add(lmb_mul16(l->gradient[0], w[1]), lmb_mul16(l->gradient[1], u[1]));
     sum = lmb_add(lmb_mul16(l->gradient[2], w[0]), lmb_mul16(l->gradient[3], u[0])); /* the same but for rounding */
     xy = lmb_add(lmb_shr(xy, 1), lmb_shr(sum, 1));
-    plane->dxx = lmb_even(place(xx, shift));
-    plane->dxy = place(xy, shift);
-    plane->dyy = place(yy, shift);
-    xx = lmb_shr(xx, 5);
-    xy = lmb_shr(xy, 5);
-    yy = lmb_shr(yy, 5);
-    sum = lmb_add(lmb_mul(xx, lmb_add(x, 8)), lmb_mul(xy, y));
-    plane->dx = lmb_add_wrap(plane->dx, place(sum, shift - 1));
-    sum = lmb_add(lmb_mul(yy, lmb_add(y, 8)), lmb_mul(xy, x));
-    plane->dy = lmb_add_wrap(plane->dy, place(sum, shift - 1));
-    sum = lmb_mul(lmb_add(lmb_mul(lmb_shr(xx, 4), x), lmb_mul(lmb_shr(xy, 3), y)), x);
-    sum = lmb_add(sum, lmb_mul(lmb_mul(lmb_shr(yy, 4), y), y));
-    plane->f = lmb_add_wrap(plane->f, place(sum, shift));
+    if (LMB_SHORT_CUTS && shift > 0 && shift < 32) {
+        curve_place(plane, l->offset, xx, xy, yy, shift, true);
+    } else {
+        curve_place(plane, l->offset, xx, xy, yy, shift, false);
+    }
 }
 
 /* Rises are below 5.5 in Q4.28, under 2^30.5: over 2^(bits + 1) and times steps two of them stay below 2^30.5, and so does that times
@@ -173,21 +192,22 @@ void lmb_plane_begin(lmb_plane *plane, lmb_lattice *l, const lmb_net *net)
 {
     int32_t a, b, x, y, shift;
     unsigned size = 0;
-    bool curved, rough;
+    bool curved, exact;
     if (!l->ready) lattice_prepare(l);
     curved = net->curved && !l->flat;
-    if (curved) size = lmb_bits_of(net->bulge, 3);
-    rough = size + 2 * l->bits > l->shift + l->limit;
-    l->rough = l->rough || rough;
-    if (LMB_WITH_LARGE && (l->exact || rough)) {
-        lmb_plane_exact(plane, l, net);
-        return;
-    }
+    exact = l->exact;
     a = lmb_sub(net->value[1], net->value[0]);
     b = lmb_sub(net->value[2], net->value[0]);
     if (curved) {
+        size = lmb_bits_of(net->bulge, 3);
+        if (size + 2 * l->bits > l->shift + (l->tolerance < LMB_TOLERANCE_RGB565 ? LIMIT_FINE : LIMIT_COARSE))
+            l->rough = exact = true;
         a = lmb_add(a, lmb_shl(net->bulge[0], 2));
         b = lmb_add(b, lmb_shl(net->bulge[2], 2));
+    }
+    if (LMB_WITH_LARGE && exact) {
+        lmb_plane_exact(plane, l, net);
+        return;
     }
     a = lmb_shr_round(a, l->bits + 1);
     b = lmb_shr_round(b, l->bits + 1);
@@ -200,7 +220,7 @@ void lmb_plane_begin(lmb_plane *plane, lmb_lattice *l, const lmb_net *net)
     /* times the offset over 16: between corner 0 and the anchor */
     x = lmb_add(lmb_mul(lmb_shr(x, 5), l->offset[0]), lmb_mul(lmb_shr(y, 5), l->offset[1]));
     plane->f = lmb_add_wrap(lmb_shl_wrap(net->value[0], 2), place(x, shift - 1));
-    plane->dxx = plane->dxy = plane->dyy = 0;
+    plane->bow = plane->dxy = plane->dyy = 0;
     if (curved) plane_curve(plane, l, net, size);
 }
 

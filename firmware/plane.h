@@ -9,13 +9,13 @@
  * corners 1 and 2 are lambda1 = (step[0] px + step[2] py) / area and lambda2 = (step[1] px + step[3] py) / area. */
 typedef struct lmb_lattice {
     const lmb_vertex *const *corner;
-    bool ready;              /* what follows is set: by the first plane, as many triangles need none */
-    bool graded;             /* gradients are set: by the first curve */
-    bool rough;              /* large, or some curve too strong for a triangle so thin: planes may leave their bounds by 1/64 */
-    bool flat;               /* so thin that no plane takes bulges */
-    bool large;              /* reaches over more than 512 pixels: the anchor may be moved */
-    bool exact;              /* large, or very thin: lmb_plane_exact serves linear planes, too */
-    uint8_t limit;           /* of rounded gradients */
+    bool ready;  /* what follows is set: by the first plane, as many triangles need none */
+    bool graded; /* gradients are set: by the first curve */
+    bool rough;  /* large, or some curve too strong for a triangle so thin: planes may leave their bounds by 1/64 */
+    bool flat;   /* so thin that no plane takes bulges */
+    bool large;  /* reaches over more than 512 pixels: the anchor may be moved */
+    bool exact;  /* large, or very thin: lmb_plane_exact serves linear planes, too */
+    uint16_t tolerance;
     int32_t step[4];         /* |.| < 2^bits */
     unsigned bits;           /* 1 to 13 unless large */
     int32_t column, row;     /* the anchor: the pixel where planes are set up */
@@ -34,9 +34,13 @@ typedef struct lmb_net {
     bool curved;       /* bulges count */
 } lmb_net;
 
-/* Begins a lattice for three corners, clockwise on the screen with y down, which must stay in place; fine: for formats of more than
- * 6 bits a channel. */
-void lmb_lattice_begin(lmb_lattice *lattice, const lmb_vertex *const corner[3], bool fine);
+/* Begins a lattice for three corners, clockwise on the screen with y down, which must stay in place, and a look's tolerance. */
+static inline void lmb_lattice_begin(lmb_lattice *lattice, const lmb_vertex *const corner[3], uint16_t tolerance)
+{
+    lattice->corner = corner;
+    lattice->tolerance = tolerance;
+    lattice->ready = lattice->graded = lattice->rough = false;
+}
 
 /* The plane through a net, at the lattice's anchor. Bulges count unless the lattice is flat. */
 void lmb_plane_begin(lmb_plane *plane, lmb_lattice *lattice, const lmb_net *net);
@@ -47,8 +51,8 @@ void lmb_plane_exact(lmb_plane *plane, const lmb_lattice *lattice, const lmb_net
 /* Moves a plane some rows down, |rows| < 2^16. */
 void lmb_plane_down(lmb_plane *plane, int32_t rows);
 
-/* What was floored, to an even number: no farther from the truth. */
-static inline int32_t lmb_even(int32_t x) { return lmb_add_wrap(x, x & 1); }
+/* Half of what was floored, odd numbers up: no farther from the truth. */
+static inline int32_t lmb_half(int32_t x) { return lmb_add(lmb_shr(x, 1), x & 1); }
 
 /* Bits of the largest magnitude; shifts values down so that they lie within 2^bits and returns how far. */
 unsigned lmb_bits_of(const int32_t *values, unsigned count);

@@ -100,7 +100,8 @@ static void exact_curve(lmb_plane *plane, const lmb_lattice *l, const lmb_net *n
     plane->f = lmb_add_wrap(plane->f, form(&c, at, at, 2 * down));
     plane->dx = lmb_add_wrap(plane->dx, form(&c, on[0], x, 5 + down));
     plane->dy = lmb_add_wrap(plane->dy, form(&c, on[1], y, 5 + down));
-    plane->dxx = lmb_shl_wrap(form(&c, x, x, 8), 1);
+    plane->bow = form(&c, x, x, 8);
+    plane->dx = lmb_sub_wrap(plane->dx, plane->bow);
     plane->dyy = form(&c, y, y, 9);
     plane->dxy = form(&c, x, y, 9);
 }
@@ -123,7 +124,7 @@ void lmb_plane_exact(lmb_plane *plane, const lmb_lattice *l, const lmb_net *net)
     plane->f = lmb_add_wrap(lmb_shl_wrap(net->value[0], 2), over_area(offset, l->reciprocal_q16, shift - far));
     plane->dx = over_area(n[0], l->reciprocal_q16, shift);
     plane->dy = over_area(n[1], l->reciprocal_q16, shift);
-    plane->dxx = plane->dxy = plane->dyy = 0;
+    plane->bow = plane->dxy = plane->dyy = 0;
     if (curved) exact_curve(plane, l, net);
 }
 

@@ -63,7 +63,7 @@ static int32_t bend_of(const lmb_vertex *a, const lmb_vertex *b)
 }
 
 /* The bends of a triangle's edges: from corner i to the next. */
-static LMB_APART void bends_set(bend *b, const lmb_vertex *const corner[3])
+static LMB_APART_IF_FEW void bends_set(bend *b, const lmb_vertex *const corner[3])
 {
     b->set = true;
     b->factor[0] = bend_of(corner[0], corner[1]);
@@ -81,6 +81,7 @@ static inline int32_t dot_q28(const lmb_vec *a, const lmb_vec *b)
 static void dots_set(lmb_net *net, const lmb_vertex *const corner[3], const lmb_vec *ray)
 {
     unsigned i;
+    LMB_UNROLL
     for (i = 0; i < 3; i++) net->value[i] = dot_q28(&corner[i]->normal, ray);
 }
 
@@ -106,6 +107,7 @@ static LMB_APART void net_bend(lmb_net *net, const lmb_vertex *const corner[3], 
     if (!b->set) bends_set(b, corner);
     net->curved = b->most > straight_q28;
     if (!net->curved) return;
+    LMB_UNROLL
     for (i = 0; i < 3; i++) {
         const int32_t mean = lmb_shr(lmb_add(net->value[i], net->value[next]), 1);
         const int32_t bulge = times_q28(b->factor[i], lmb_sub(mean, pull)), control = lmb_add(mean, lmb_shl(bulge, 1));
@@ -142,7 +144,7 @@ static unsigned net_argument(lmb_net *net, const lmb_line *line, int32_t high)
 }
 
 /* N.L of light i. Where all corners are unlit the triangle is: bulges have the sign of what bulges. */
-static void shade_diffuse(lmb_triangle *t, lmb_lattice *lattice, unsigned i, bend *b)
+static inline void shade_diffuse(lmb_triangle *t, lmb_lattice *lattice, unsigned i, bend *b)
 {
     const int32_t straight_q28 = t->look->light[i].straight_q28;
     lmb_net net;
@@ -161,11 +163,13 @@ static void shade_diffuse(lmb_triangle *t, lmb_lattice *lattice, unsigned i, ben
 
 /* The highlight's argument of light i. A triangle is dark if no control value reaches where the highlight begins to be seen; a
  * bulge is no deeper than its factor. */
-static void shade_specular(lmb_triangle *t, lmb_lattice *lattice, unsigned i, bend *b)
+static inline void shade_specular(lmb_triangle *t, lmb_lattice *lattice, unsigned i, bend *b)
 {
     const struct lmb_look_light *light = &t->look->light[i];
     const int32_t quiet_q28 = lmb_shr(light->quiet_q30, 2);
     lmb_net net;
+    net.value[0] = distance_q28(&lattice->corner[0]->normal, &t->rays->light[i].half);
+    if (LMB_SHORT_CUTS && i == 0 && net.value[0] > t->rays->far_q28) return;
     distances_set(&net, lattice->corner, &t->rays->light[i].half);
     net_range(&net);
     if (lmb_sub(net.low, lmb_shl(b->most, 1)) > quiet_q28) return;
@@ -178,21 +182,38 @@ static void shade_specular(lmb_triangle *t, lmb_lattice *lattice, unsigned i, be
     lmb_plane_begin(&t->u.light[i].specular, lattice, &net);
 }
 
-/* Diffuse and gloss by linear or quadratic planes. */
+/* Both terms of light i. */
+static inline void shade_light(lmb_triangle *t, lmb_lattice *lattice, unsigned i, bend *b)
+{
+    shade_diffuse(t, lattice, i, b);
+    if (lmb_bit(t->look->specular_on, i)) shade_specular(t, lattice, i, b);
+}
+
+/* Diffuse and gloss by linear or quadratic planes. One light has code of its own. */
 static void shade_planes(lmb_triangle *t, lmb_lattice *lattice, const lmb_vertex *const corner[3])
 {
+    const unsigned lights = lmb_look_lights(t->look);
     bend b;
     unsigned i;
     b.set = false;
     b.most = t->look->step == LMB_STEP_QUADRATIC ? t->rays->bend_q28 : 0;
     if (b.most == LMB_BEND_UNKNOWN) bends_set(&b, corner);
-    for (i = 0; i < lmb_look_lights(t->look); i++) {
-        shade_diffuse(t, lattice, i, &b);
-        if (lmb_bit(t->look->specular_on, i)) shade_specular(t, lattice, i, &b);
+    if (LMB_SHORT_CUTS && lights == 1) {
+        shade_light(t, lattice, 0, &b);
+    } else {
+        for (i = 0; i < lights; i++) shade_light(t, lattice, i, &b);
     }
 }
 
-int32_t lmb_shade_bend(uint16_t bend_q15) { return bulge_factor_q28(lmb_shl(bend_q15, 13)); }
+/* With normals no farther apart than u, and a the v that a highlight must not come down to, v > a all over where that of a corner
+ * exceeds (sqrt a + sqrt u)^2 <= 5/4 a + 5 u. u <= 4 (P - 1) and a = quiet + 2 (P - 1) (shade_specular): so 5/4 quiet + 22 1/2 (P - 1).
+ * Normals that run linearly do not bulge, but turn as far. */
+void lmb_shade_bend(lmb_rays *rays, const lmb_look *look, uint16_t bend_q15)
+{
+    const int32_t most = bulge_factor_q28(lmb_shl(bend_q15, 13)), quiet = lmb_shr(look->light[0].quiet_q30, 2);
+    rays->bend_q28 = most;
+    if (LMB_SHORT_CUTS && most < ONE_Q28 / 32) rays->far_q28 = lmb_add(lmb_add(quiet, lmb_shr(quiet, 2)), lmb_mul(most, 23));
+}
 
 /* What the lobe returns at v, Q4.28. */
 static int32_t lobe_q28(const lmb_lobe *lobe, int32_t v_q28)
@@ -252,7 +273,7 @@ void lmb_shade_begin(lmb_triangle *t, lmb_lattice *lattice, const lmb_vertex *co
     t->diffuse_on = t->specular_on = 0;
     t->kind = LMB_SPAN_PLANE;
     t->low = t->high = 0;
-    lmb_lattice_begin(lattice, corner, t->look->tolerance < LMB_TOLERANCE_RGB565);
+    lmb_lattice_begin(lattice, corner, t->look->tolerance);
     if (LMB_WITH_CORNERS && t->look->model == LMB_MODEL_FLAT) {
         t->kind = LMB_SPAN_FLAT;
         shade_face(t, corner);

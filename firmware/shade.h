@@ -12,7 +12,7 @@ void lmb_shade_begin(lmb_triangle *triangle, lmb_lattice *lattice, const lmb_ver
 /* Of rays that know of no mesh. */
 #define LMB_BEND_UNKNOWN INT32_MAX
 
-/* How far an edge can bulge, Q4.28, whose normals are no farther apart than lmb_mesh.bend says. */
-int32_t lmb_shade_bend(uint16_t bend_q15);
+/* Tells rays that no normals of an edge are farther apart than lmb_mesh.bend says. */
+void lmb_shade_bend(lmb_rays *rays, const lmb_look *look, uint16_t bend_q15);
 
 #endif

@@ -72,6 +72,7 @@ typedef struct lmb_rays {
 #endif
     } light[LMB_LIGHTS];
     int32_t bend_q28; /* what no edge's bulge exceeds */
+    int32_t far_q28;  /* a triangle with a corner whose 1 - N.H is greater has no highlight of light 0 */
 } lmb_rays;
 
 /* An arc: the normal turns evenly from pixel to pixel, by phi = psi / m over m pixels, and each dot product with it obeys
@@ -99,6 +100,16 @@ typedef struct lmb_edge {
     int32_t x, step, gap, part, modulus;
 } lmb_edge;
 
+/* The same as one number a row: x plus one less a unit, and its step, with 20 fraction bits, so that a shift rounds x up. For triangles
+ * of up to 512 pixels. */
+#define LMB_STRIDE_BITS 20
+#define LMB_STRIDE_MAX (512 * 16)
+typedef struct lmb_stride {
+    int32_t x, step;
+} lmb_stride;
+#define LMB_WALKED_EDGES 1
+#define LMB_WALKED_STRIDES 2
+
 /* A normal that turns evenly along an edge, row by row; along one beyond LMB_ARC_U_MAX its components run linearly and it is
  * normalised on every row. */
 typedef struct lmb_edge_arc {
@@ -109,25 +120,30 @@ typedef struct lmb_edge_arc {
     bool straight; /* beyond LMB_ARC_U_MAX, or close to it */
 } lmb_edge_arc;
 
-/* A quadratic over the triangle in wrapping Q2.30, at some pixel: value, first differences to the right and down, second
- * differences; dxx is even. */
+/* A quadratic over the triangle in wrapping Q2.30, at some pixel: value, slope to the right at that pixel, first difference down, half
+ * the second difference to the right, the two others. n columns on it is f + n dx + n^2 bow. */
 typedef struct lmb_plane {
-    int32_t f, dx, dy, dxx, dxy, dyy;
+    int32_t f, dx, dy, bow, dxy, dyy;
 } lmb_plane;
 
 /* A triangle on its way into spans. Its planes stand in one column, at the next row. What rows need comes first, where cores with
  * short offsets reach it in one instruction. Fields may change without notice. */
 typedef struct lmb_triangle {
     uint8_t kind, diffuse_on, specular_on, exponent[LMB_LIGHTS];
+    uint8_t walked;  /* what walk holds: 0 nothing yet, or LMB_WALKED_... */
     bool long_right; /* the edge from top to bottom is the right one */
     bool depth_on;   /* depth is set */
     bool inside;     /* no column lies outside of the window */
     bool rough;      /* planes may leave their bounds by more than 1/64 */
     const lmb_look *look;
     const lmb_rays *rays;
-    lmb_edge edge[2];           /* left, right */
-    int32_t y, y_switch, y_end; /* next row, first row below the middle corner, first row below the triangle */
     int32_t column;             /* of the planes */
+    int32_t y, y_switch, y_end; /* next row, first row below the middle corner, first row below the triangle */
+    int32_t y_turn;             /* strides: the row where some are to be begun anew */
+    union {
+        lmb_edge edge[2]; /* left, right */
+        lmb_stride stride[2];
+    } walk;
     union {
         struct {
             lmb_plane diffuse, specular;
@@ -139,6 +155,7 @@ typedef struct lmb_triangle {
 #endif
     } u;
     int32_t window_left, window_right;
+    int32_t y_long;              /* strides: the row where that from top to bottom is to be begun anew */
     int32_t low, high, gleam;    /* bounds of light 0 over the triangle, Q4.28: of diffuse, upper one of specular */
     int32_t glare;               /* for the filler: from which argument on its highlights may saturate, Q2.30 */
     const lmb_vertex *corner[3]; /* top, middle, bottom */

@@ -28,6 +28,14 @@ static inline void lmb_edge_step(lmb_edge *edge)
     edge->x = x;
 }
 
+/* The first pixel whose centre is not left of an edge, and the edge one row down. */
+static inline int32_t lmb_stride_step(lmb_stride *stride)
+{
+    const int32_t x = stride->x;
+    stride->x = lmb_add_wrap(x, stride->step); /* below the last row whatever it is */
+    return lmb_shr(x, LMB_STRIDE_BITS);
+}
+
 /* A plane one row down. */
 static inline void lmb_plane_row(lmb_plane *plane)
 {
@@ -36,14 +44,14 @@ static inline void lmb_plane_row(lmb_plane *plane)
     plane->dy = lmb_add_wrap(plane->dy, plane->dyy);
 }
 
-/* The term of a plane n columns right of where it stands: f + n d + n (n - 1) c / 2 and d + n c, in two products, as c is even. */
+/* The term of a plane n columns right of where it stands, in two products. */
 static inline lmb_term lmb_plane_term(const lmb_plane *plane, int32_t n)
 {
-    const int32_t c = plane->dxx, bow = lmb_mul_wrap(lmb_sub(n, 1), lmb_shr(c, 1)), d = lmb_add_wrap(plane->dx, bow);
+    const int32_t bow = plane->bow, half = lmb_mul_wrap(n, bow), mean = lmb_add_wrap(plane->dx, half);
     lmb_term term;
-    term.f = lmb_add_wrap(plane->f, lmb_mul_wrap(n, d));
-    term.d = lmb_add_wrap(d, lmb_add_wrap(bow, c));
-    term.c = c;
+    term.f = lmb_add_wrap(plane->f, lmb_mul_wrap(n, mean));
+    term.d = lmb_add_wrap(mean, lmb_add_wrap(half, bow));
+    term.c = lmb_add_wrap(bow, bow);
     return term;
 }
 

@@ -78,7 +78,7 @@ static bool in_columns(lmb_triangle *t, const lmb_vertex *const corner[3], const
 static void side_begin(lmb_triangle *t, unsigned side, unsigned from, unsigned to)
 {
     const lmb_vertex *top = t->corner[from], *bottom = t->corner[to];
-    lmb_edge_begin(&t->edge[side], top, bottom, t->y);
+    lmb_edge_begin(&t->walk.edge[side], top, bottom, t->y);
     if (LMB_WITH_ARC && t->kind == LMB_SPAN_ARC) { lmb_edge_arc_begin(t, side, top, bottom); }
 }
 
@@ -116,10 +116,17 @@ static void terms_begin(lmb_triangle *t, const lmb_vertex *const corner[3])
 
 void lmb_triangle_turn(lmb_triangle *t) { side_begin(t, !t->long_right, 1, 2); }
 
+void lmb_triangle_walk(lmb_triangle *t)
+{
+    const unsigned lower = t->y >= t->y_switch;
+    t->walked = LMB_WALKED_EDGES;
+    side_begin(t, t->long_right, 0, 2);
+    side_begin(t, !t->long_right, lower, lower + 1);
+}
+
 bool lmb_triangle_front(lmb_triangle *t, const lmb_vertex *a, const lmb_vertex *b, const lmb_vertex *c, const lmb_window *window)
 {
     const lmb_vertex *clockwise[3];
-    unsigned lower;
     clockwise[0] = a;
     clockwise[1] = c;
     clockwise[2] = b;
@@ -132,12 +139,7 @@ bool lmb_triangle_front(lmb_triangle *t, const lmb_vertex *a, const lmb_vertex *
     t->depth_on = LMB_WITH_DEPTH && window->depth;
     t->window_left = window->left;
     t->window_right = window->right;
-    t->kind =
-        LMB_WITH_ARC && t->look->step == LMB_STEP_ARC && t->look->model >= LMB_MODEL_DIFFUSE ? LMB_SPAN_ARC : LMB_SPAN_PLANE;
-    side_begin(t, t->long_right, 0, 2);
-    lower = t->y >= t->y_switch;
-    side_begin(t, !t->long_right, lower, lower + 1);
-    if (lower) t->y_switch = t->y_end; /* no change of sides to come */
+    t->walked = 0;
     terms_begin(t, clockwise);
     return true;
 }
@@ -183,8 +185,8 @@ static void flat_span(const lmb_triangle *t, lmb_span *span)
 static void row_step(lmb_triangle *t)
 {
     unsigned i;
-    lmb_edge_step(&t->edge[0]);
-    lmb_edge_step(&t->edge[1]);
+    lmb_edge_step(&t->walk.edge[0]);
+    lmb_edge_step(&t->walk.edge[1]);
     t->y = lmb_add(t->y, 1);
     for (i = 0; i < lmb_look_lights(t->look) && t->kind == LMB_SPAN_PLANE; i++) {
         if (lmb_bit(t->diffuse_on, i)) lmb_plane_row(&t->u.light[i].diffuse);
@@ -198,8 +200,9 @@ static void row_step(lmb_triangle *t)
 bool lmb_triangle_next(lmb_triangle *t, lmb_span *span)
 {
     bool found = false;
+    if (t->walked != LMB_WALKED_EDGES) lmb_triangle_walk(t);
     while (!found && t->y < t->y_end) {
-        int32_t x = lmb_max(t->edge[0].x, t->window_left), length = lmb_sub(lmb_min(t->edge[1].x, t->window_right), x);
+        int32_t x = lmb_max(t->walk.edge[0].x, t->window_left), length = lmb_sub(lmb_min(t->walk.edge[1].x, t->window_right), x);
         found = length > 0;
         if (found) {
             span->x = (int16_t)x;
@@ -209,7 +212,7 @@ bool lmb_triangle_next(lmb_triangle *t, lmb_span *span)
             span->diffuse_on = t->diffuse_on;
             span->specular_on = t->specular_on;
             if (LMB_WITH_ARC && t->kind == LMB_SPAN_ARC) {
-                lmb_edge_arc_span(t, span, lmb_sub(x, t->edge[0].x));
+                lmb_edge_arc_span(t, span, lmb_sub(x, t->walk.edge[0].x));
             } else if (LMB_WITH_CORNERS && t->kind == LMB_SPAN_FLAT) {
                 flat_span(t, span);
             } else {

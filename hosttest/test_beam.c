@@ -70,8 +70,8 @@ static void test_way(test_random *r, const char *name, enum way way, unsigned n_
             if (i & 2) c.from = arc_nudge(r, c.from);
             if (i & 4) c.to = arc_nudge(r, c.to);
             if (i % 16 < 2) c.start = arc_random_start(r, c.length);
-            if (arc_angle(arc_from(c.from), arc_from(c.to)) > psi_max) continue;
         }
+        if (arc_angle(arc_from(c.from), arc_from(c.to)) > psi_max) continue; /* by rounding, or by climbing */
         error = way_error(&c, way, i & 1 ? 65536 : (uint32_t)test_integer(r, 32768, 65535), n);
         if (error > worst) {
             worst = error;

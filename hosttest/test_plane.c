@@ -13,7 +13,7 @@ static uint64_t times(int64_t a, int32_t b) { return (uint64_t)a * (uint64_t)(in
 static int32_t value_at(const lmb_plane *p, int64_t columns, int64_t rows)
 {
     uint64_t sum = (uint64_t)(int64_t)p->f + times(columns, p->dx) + times(rows, p->dy);
-    sum += times(pairs_of(columns), p->dxx) + times(columns * rows, p->dxy) + times(pairs_of(rows), p->dyy);
+    sum += times(columns * columns, p->bow) + times(columns * rows, p->dxy) + times(pairs_of(rows), p->dyy);
     return lmb_signed((uint32_t)sum);
 }
 
@@ -21,12 +21,11 @@ static int32_t value_at(const lmb_plane *p, int64_t columns, int64_t rows)
 static lmb_plane random_plane(test_random *random)
 {
     lmb_plane p;
-    int32_t *member[6] = {&p.f, &p.dx, &p.dy, &p.dxx, &p.dxy, &p.dyy};
+    int32_t *member[6] = {&p.f, &p.dx, &p.dy, &p.bow, &p.dxy, &p.dyy};
     const bool linear = test_integer(random, 0, 3) == 0;
     int i;
     for (i = 0; i < 6; i++) {
         *member[i] = (int32_t)test_integer(random, INT32_MIN, INT32_MAX) >> test_integer(random, 0, 31);
-        if (i == 3) *member[i] = (int32_t)((uint32_t)*member[i] & ~1u);
         if (i > 2 && (linear || test_integer(random, 0, 3) == 0)) *member[i] = 0;
     }
     return p;
@@ -40,7 +39,7 @@ static int32_t random_way(test_random *random)
 
 static void plane_print(const char *what, const lmb_plane *p)
 {
-    printf("  %s %d %d %d %d %d %d\n", what, (int)p->f, (int)p->dx, (int)p->dy, (int)p->dxx, (int)p->dxy, (int)p->dyy);
+    printf("  %s %d %d %d %d %d %d\n", what, (int)p->f, (int)p->dx, (int)p->dy, (int)p->bow, (int)p->dxy, (int)p->dyy);
 }
 
 static void test_down(test_random *random)

@@ -189,7 +189,7 @@ static NOINLINE void plane_lit(const lmb_paint *paint, uint16_t *pixel, uint32_t
                                unsigned shift)
 {
     const gleam_use how = {shift, false, true, false, 0};
-    lit_run(paint, pixel, n, diffuse, specular, RAMP_UNEVEN, how);
+    lit_run(paint, pixel, pixel + n, diffuse, specular, RAMP_UNEVEN, how);
 }
 
 /* One light on RGB565, looked up. A term that is not on is zero. */

@@ -21,16 +21,26 @@
 #define FORGET() ((void)0)
 #endif
 /* Keeps a compiler from knowing how narrow x is, and so from narrowing what comes of it before it is stored. */
-#if defined(__thumb__)
+#if defined(__thumb__) && !defined(__thumb2__)
 #define HIDE(x) __asm__("" : "+l"(x)) /* in one of the eight registers that all instructions reach */
 #else
 #define HIDE(x) __asm__("" : "+r"(x))
+#endif
+/* Keeps a compiler from doing before a test what only one of its branches needs. */
+#define HERE() __asm__ volatile("")
+/* Has what is not needed for a while wait in memory, where registers are too few for what is. */
+#if defined(__thumb__) && !defined(__thumb2__)
+#define PUT_BY(x) __asm__("" : "+m"(x))
+#else
+#define PUT_BY(x) ((void)0)
 #endif
 #else
 #define ALWAYS_INLINE inline
 #define NOINLINE
 #define FORGET() ((void)0)
 #define HIDE(x) ((void)0)
+#define HERE() ((void)0)
+#define PUT_BY(x) ((void)0)
 #endif
 
 #if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__

@@ -8,7 +8,16 @@
 #include "depth.h"
 #include "run.h"
 
+#include "../firmware/stride.h"
+
 #if LMB_WITH_RGB565
+
+/* Whether triangles that no window cuts take strides. On AVR a shift by their bits is a loop. */
+#if LMB_LOOPS && !defined(__AVR__)
+#define STRIDES 1
+#else
+#define STRIDES 0
+#endif
 
 /* Whether the surface has depth. */
 enum depth_use { DEPTH_NEVER, DEPTH_ALWAYS, DEPTH_MAYBE = LMB_WITH_DEPTH ? 2 : DEPTH_NEVER };
@@ -40,35 +49,44 @@ static ALWAYS_INLINE void plane_next(lmb_plane *plane, bool straight)
     plane->dy = lmb_add_wrap(plane->dy, plane->dyy);
 }
 
-/* n pixels of a row of a triangle, from column x on, where pixel is. */
-static ALWAYS_INLINE void fill_run(const lmb_paint *paint, const lmb_triangle *t, uint16_t *pixel, uint32_t n, int32_t x,
+static ALWAYS_INLINE bool has_strides(const filling how) { return STRIDES && how.ramp != RAMP_UNEVEN; }
+
+/* How far a triangle's planes are from a column as its sides have it: strides count from there. */
+static ALWAYS_INLINE int32_t columns_at(const lmb_triangle *t, int32_t x, const filling how)
+{
+    return has_strides(how) ? x : lmb_sub(x, t->column);
+}
+
+/* Pixels of a row of a triangle, columns x to end - 1, row being where column 0 is. */
+static ALWAYS_INLINE void fill_run(const lmb_paint *paint, const lmb_triangle *t, uint16_t *row, int32_t x, int32_t end,
                                    const gleam_use gleam, uint16_t colour, const corner_steps *steps, const filling how)
 {
 #if LMB_WITH_RAMPS || GOURAUD_ROWS
     const lmb_plane *diffuse = &t->u.light[0].diffuse, *specular = &t->u.light[0].specular;
+    const int32_t columns = columns_at(t, x, how);
     lmb_term n_l = {0, 0, 0}, n_h = {0, 0, 0};
-    if (how.diffuse) n_l = term_of(diffuse, lmb_sub(x, t->column), how.straight);
-    if (how.specular) n_h = term_of(specular, lmb_sub(x, t->column), how.summed);
+    if (how.diffuse) n_l = term_of(diffuse, columns, how.straight);
+    if (how.specular) n_h = term_of(specular, columns, how.summed);
 #endif
     (void)paint, (void)gleam, (void)steps, (void)how; /* of all runs none may be built in */
 #if GOURAUD_ROWS
     if (how.summed) {
-        corner_pixels(paint, steps, pixel, n, n_l, n_h, how.specular);
+        corner_pixels(paint, steps, row + x, (uint32_t)lmb_sub(end, x), n_l, n_h, how.specular);
         return;
     }
 #endif
 #if LMB_WITH_RAMPS
     if (how.specular) {
-        lit_run(paint, pixel, n, &n_l, &n_h, how.ramp, gleam);
+        lit_run(paint, row + x, row + end, &n_l, &n_h, how.ramp, gleam);
         return;
     }
     if (how.diffuse) {
-        plain_run(paint->ramp, pixel, n, &n_l, how.ramp, how.straight);
+        plain_run(paint->ramp, row + x, (uint32_t)lmb_sub(end, x), &n_l, how.ramp, how.straight);
         return;
     }
 #endif
-    (void)t, (void)x;
-    solid_run(pixel, n, colour);
+    (void)t;
+    solid_run(row + x, row + end, colour);
 }
 
 /* The depth of a triangle at a row: the buffer's column 0, NULL for none, and the linear plane there. */
@@ -78,19 +96,18 @@ typedef struct depth_rows {
     int32_t f, dx, dy;
 } depth_rows;
 
-static ALWAYS_INLINE void depth_begin(depth_rows *rows, const lmb_surface *surface, const lmb_triangle *t)
+static ALWAYS_INLINE void depth_begin(depth_rows *rows, const lmb_surface *surface, const lmb_triangle *t, int32_t origin)
 {
 #if LMB_WITH_DEPTH
     const lmb_window *w = &surface->window;
     const ptrdiff_t width = (ptrdiff_t)lmb_sub(w->right, w->left);
     rows->width = width;
-    rows->stored = surface->depth ? surface->depth + ((ptrdiff_t)lmb_sub(t->y, w->top) * width - w->left) : NULL;
+    rows->stored = surface->depth ? surface->depth + ((ptrdiff_t)lmb_sub(t->y, w->top) * width + origin - w->left) : NULL;
     rows->dx = t->depth.dx;
     rows->dy = t->depth.dy;
-    rows->f = lmb_sub_wrap(t->depth.f, lmb_mul_wrap(t->column, rows->dx));
+    rows->f = lmb_sub_wrap(t->depth.f, lmb_mul_wrap(lmb_sub(t->column, origin), rows->dx));
 #else
-    (void)surface;
-    (void)t;
+    (void)surface, (void)t, (void)origin;
     rows->stored = NULL;
     rows->width = 0;
     rows->f = rows->dx = rows->dy = 0;
@@ -143,7 +160,7 @@ static ALWAYS_INLINE void fill_row(const lmb_paint *paint, const lmb_triangle *t
     uint16_t *const stored = rows->stored;
     depth_row depth;
     if (how.depth == DEPTH_NEVER || (LMB_LOOPS && !deep)) {
-        fill_run(paint, t, row + x, (uint32_t)lmb_sub(end, x), x, gleam, colour, steps, how);
+        fill_run(paint, t, row, x, end, gleam, colour, steps, how);
         return;
     }
     depth.stored = depth.end = NULL;
@@ -156,8 +173,8 @@ static ALWAYS_INLINE void fill_row(const lmb_paint *paint, const lmb_triangle *t
     }
 #if LMB_WITH_RAMPS && LMB_WITH_DEPTH
     if (how.depth == DEPTH_ALWAYS && how.specular) {
-        lit_run_seen(paint, row + x, &depth, term_of(&t->u.light[0].diffuse, lmb_sub(x, t->column), how.straight),
-                     lmb_plane_term(&t->u.light[0].specular, lmb_sub(x, t->column)), gleam, how);
+        lit_run_seen(paint, row + x, &depth, term_of(&t->u.light[0].diffuse, columns_at(t, x, how), how.straight),
+                     lmb_plane_term(&t->u.light[0].specular, columns_at(t, x, how)), gleam, how);
         return;
     }
 #endif
@@ -173,47 +190,122 @@ static ALWAYS_INLINE void fill_row(const lmb_paint *paint, const lmb_triangle *t
             end = (int32_t)(depth.stored - stored);
             FORGET();
         }
-        fill_run(paint, t, row + x, (uint32_t)lmb_sub(end, x), x, gleam, colour, steps, how);
+        fill_run(paint, t, row, x, end, gleam, colour, steps, how);
         if (depth.stored == depth.end) return;
         FORGET();
     }
+}
+
+/* Whether strides stay in registers from row to row: where pixels leave enough of them. */
+static ALWAYS_INLINE bool keeps_strides(const filling how)
+{
+#if defined(__thumb__) && !defined(__thumb2__)
+    return !how.diffuse && !how.specular;
+#elif defined(__arm__)
+    return !how.specular;
+#else
+    (void)how;
+    return true;
+#endif
+}
+
+/* Both sides of the next row, x to end - 1, cut by the window where it may cut; and one row down. */
+static ALWAYS_INLINE void sides_next(lmb_triangle *t, lmb_stride side[2], int32_t *x, int32_t *end, const filling how)
+{
+    if (has_strides(how)) {
+        lmb_stride *const stride = keeps_strides(how) ? side : t->walk.stride;
+        *x = lmb_stride_step(&stride[0]);
+        *end = lmb_stride_step(&stride[1]);
+        return;
+    }
+    *x = t->walk.edge[0].x;
+    *end = t->walk.edge[1].x;
+    if (how.ramp == RAMP_UNEVEN) {
+        *x = lmb_max(*x, t->window_left);
+        *end = lmb_min(*end, t->window_right);
+    }
+    lmb_edge_step(&t->walk.edge[0]);
+    lmb_edge_step(&t->walk.edge[1]);
+}
+
+/* The sides of the next rows: the row where these end. */
+static ALWAYS_INLINE int32_t sides_begin(lmb_triangle *t, const filling how)
+{
+    if (has_strides(how)) {
+        if (t->walked != LMB_WALKED_STRIDES) lmb_strides_begin(t);
+        return t->y_turn;
+    }
+    if (t->walked != LMB_WALKED_EDGES) lmb_triangle_walk(t);
+    return t->y < t->y_switch ? lmb_min(t->y_switch, t->y_end) : t->y_end;
+}
+
+static ALWAYS_INLINE int32_t sides_turn(lmb_triangle *t, const filling how)
+{
+    if (has_strides(how)) {
+        lmb_strides_turn(t);
+        return t->y_turn;
+    }
+    lmb_triangle_turn(t);
+    return t->y_end;
 }
 
 /* All rows of a triangle of planes, RGB565: those above the middle corner, then those below. */
 static ALWAYS_INLINE void fill_rows(const lmb_surface *surface, const lmb_paint *paint, lmb_triangle *t, uint16_t colour,
                                     const corner_steps *steps, const filling how)
 {
-    uint8_t *row = row_of(surface, t->y) - 2 * (ptrdiff_t)surface->window.left;
-    const size_t pitch = surface->pitch;
+    int32_t stop = sides_begin(t, how);
+    const int32_t origin = has_strides(how) ? t->column : 0;
+    uint8_t *row = row_of(surface, t->y) + 2 * (ptrdiff_t)lmb_sub(origin, surface->window.left);
+    size_t pitch = surface->pitch;
     const unsigned shift = how.scaled ? (unsigned)(GLEAM_SHIFT - t->exponent[0]) : GLEAM_SHIFT;
     const bool glares = how.ramp == RAMP_EVEN && how.saturates && how.depth == DEPTH_NEVER;
     const gleam_use gleam = {shift, how.ramp != RAMP_UNEVEN, how.saturates, glares, glares ? t->glare : 0};
-    int32_t stop = lmb_min(t->y_switch, t->y_end);
     depth_rows depth;
-    if (how.depth != DEPTH_NEVER) depth_begin(&depth, surface, t);
+    if (how.depth != DEPTH_NEVER) depth_begin(&depth, surface, t, origin);
     if (how.specular && how.ramp == RAMP_EVEN) t->u.light[0].diffuse.f = lmb_sub_wrap(t->u.light[0].diffuse.f, LIT_BELOW);
     for (;;) {
+        int32_t rows = lmb_sub(stop, t->y);
+        lmb_stride side[2];
+        t->y = stop;
+        if (has_strides(how) && keeps_strides(how)) {
+            side[0] = t->walk.stride[0];
+            side[1] = t->walk.stride[1];
+        }
         do {
-            int32_t x = t->edge[0].x, end = t->edge[1].x;
-            if (how.ramp == RAMP_UNEVEN) {
-                x = lmb_max(x, t->window_left);
-                end = lmb_min(end, t->window_right);
-            }
+            int32_t x, end;
+            PUT_BY(row);
+            PUT_BY(rows);
+            PUT_BY(pitch);
+            sides_next(t, side, &x, &end, how);
             if (end > x) fill_row(paint, t, &depth, (uint16_t *)(void *)row, x, end, gleam, colour, steps, how);
             FORGET();
+            PUT_BY(row);
+            PUT_BY(pitch);
             row += pitch;
             if (has_depth(&depth, how)) depth_next(&depth);
-            lmb_edge_step(&t->edge[0]);
-            lmb_edge_step(&t->edge[1]);
             if (how.diffuse) plane_next(&t->u.light[0].diffuse, how.straight);
             if (how.specular) plane_next(&t->u.light[0].specular, how.summed);
             FORGET();
-        } while ((t->y = lmb_add(t->y, 1)) < stop);
-        if (stop == t->y_end) return;
-        lmb_triangle_turn(t);
-        stop = t->y_end;
+        } while (--rows != 0);
+        if (t->y == t->y_end) return; /* that is stop, which has no register */
+        if (has_strides(how) && keeps_strides(how)) {
+            t->walk.stride[0].x = side[0].x;
+            t->walk.stride[1].x = side[1].x;
+        }
+        stop = sides_turn(t, how);
     }
 }
+
+#if LMB_LOOPS && (LMB_WITH_CORNERS || LMB_WITH_RAMPS)
+
+/* Whether strides serve a triangle inside of its window. */
+static bool is_small(const lmb_triangle *t)
+{
+    return !STRIDES || (lmb_sub(t->window_right, t->window_left) < LMB_STRIDE_MAX / 16 &&
+                        lmb_sub(t->corner[2]->y, t->corner[0]->y) < LMB_STRIDE_MAX);
+}
+
+#endif
 
 /* -------------------------------------------------------------------------------------------------------------- one colour */
 
@@ -236,7 +328,7 @@ static NOINLINE void fill_solid_even(const lmb_surface *surface, lmb_triangle *t
 static void fill_solid(const lmb_surface *surface, lmb_triangle *t, uint16_t colour)
 {
 #if LMB_LOOPS
-    if (t->inside && !surface->depth) {
+    if (t->inside && !surface->depth && is_small(t)) {
         fill_solid_even(surface, t, colour);
         return;
     }
@@ -378,7 +470,7 @@ static NOINLINE void fill_lit_deep_bright(const lmb_surface *surface, const lmb_
     fill_rows(surface, paint, t, 0, NULL, how);
 }
 
-static bool is_curved(const lmb_plane *plane) { return (plane->dxx | plane->dxy | plane->dyy) != 0; }
+static bool is_curved(const lmb_plane *plane) { return (plane->bow | plane->dxy | plane->dyy) != 0; }
 
 /* The steps of highlights, up to one that does, that with a step of diffuse light do not run over. Neither ramp ever falls. */
 static uint32_t steps_below(const lmb_paint *paint, uint32_t diffuse, uint32_t running_over)
@@ -440,7 +532,8 @@ static void fill_simple(const lmb_surface *surface, const lmb_paint *paint, lmb_
 {
     static const lmb_plane none = {0, 0, 0, 0, 0, 0};
     const int32_t ramp = t->high >> (RAMP_SHIFT - 2);
-    const bool even = t->inside && !t->rough && ramp < LMB_RAMP_TOP - 1; /* a step for what planes err */
+    const bool even = t->inside && !t->rough && ramp < LMB_RAMP_TOP - 1 && /* a step for what planes err */
+                      (LMB_WITH_LARGE || is_small(t));                     /* those that are not count as rough */
     const bool low = t->low >> (RAMP_SHIFT - 2) < 1;
     if (!t->diffuse_on && !t->specular_on) {
         fill_solid(surface, t, STORE_ORDER(paint->ramp[0]));
@@ -488,14 +581,9 @@ static void fill_spans(const lmb_surface *surface, const lmb_paint *paint, lmb_t
     while (lmb_triangle_next(t, &span)) lmb_fill_span(surface, paint, &span);
 }
 
-void lmb_fill_triangle(const lmb_surface *surface, const lmb_paint *paint, lmb_triangle *t)
+/* All but ramps; out of line, as it takes more stack than these. */
+static NOINLINE void fill_others(const lmb_surface *surface, const lmb_paint *paint, lmb_triangle *t)
 {
-#if LMB_WITH_RGB565 && LMB_WITH_RAMPS
-    if (is_ramped(paint) && is_plane(t)) {
-        fill_simple(surface, paint, t);
-        return;
-    }
-#endif
 #if LMB_WITH_RGB565 && LMB_WITH_CORNERS
     if (is_rgb565(surface)) {
         if (t->kind == LMB_SPAN_FLAT || !(t->diffuse_on | t->specular_on | lmb_paint_is_simple(paint))) {
@@ -511,4 +599,15 @@ void lmb_fill_triangle(const lmb_surface *surface, const lmb_paint *paint, lmb_t
     }
 #endif
     fill_spans(surface, paint, t);
+}
+
+void lmb_fill_triangle(const lmb_surface *surface, const lmb_paint *paint, lmb_triangle *t)
+{
+#if LMB_WITH_RGB565 && LMB_WITH_RAMPS
+    if (is_ramped(paint) && is_plane(t)) {
+        fill_simple(surface, paint, t);
+        return;
+    }
+#endif
+    fill_others(surface, paint, t);
 }

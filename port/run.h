@@ -46,10 +46,10 @@ typedef struct gleam_use {
  * which lies behind, and one register points to both. Otherwise from where its own begins. */
 #define LIT_BELOW ((int32_t)LMB_RAMP_TOP << RAMP_SHIFT)
 
-static ALWAYS_INLINE void solid_run(uint16_t *pixel, uint32_t n, uint16_t colour)
+static ALWAYS_INLINE void solid_run(uint16_t *pixel, const uint16_t *end, uint16_t colour)
 {
     do *pixel++ = colour;
-    while (--n > 0);
+    while (pixel != end);
 }
 
 #if LMB_WITH_RAMPS
@@ -93,6 +93,16 @@ static ALWAYS_INLINE const uint16_t *lit_ramp(const lmb_paint *paint, enum ramp_
     return paint->ramp + (use == RAMP_EVEN ? LMB_RAMP_TOP : 0);
 }
 
+static ALWAYS_INLINE uint32_t plain_sum(uint32_t a, uint32_t b)
+{
+#if defined(__thumb__) && !defined(__thumb2__)
+    __asm__("add %0, %1" : "+l"(a) : "l"(b) : "cc");
+    return a;
+#else
+    return a + b;
+#endif
+}
+
 /* Diffuse light, and the highlight where there is any. */
 static ALWAYS_INLINE uint32_t lit_sum(const uint16_t *ramp, int32_t diffuse, int32_t argument, enum ramp_use use,
                                       const gleam_use how)
@@ -101,22 +111,22 @@ static ALWAYS_INLINE uint32_t lit_sum(const uint16_t *ramp, int32_t diffuse, int
     uint32_t sum = ramp[even ? diffuse >> RAMP_SHIFT : (int32_t)ramp_step(diffuse, use)], light;
     if (even) HIDE(sum);
     if (argument > 0) {
+        if (even) HERE();
         light = ramp[gleam_step(argument, how.shift, how.even) + (even ? 0 : LMB_RAMP_TOP)];
         if (even) HIDE(light);
         if (how.glares) {
-            sum = argument < how.glare ? sum + light : GLARE_565(sum, light);
+            sum = argument < how.glare ? plain_sum(sum, light) : GLARE_565(sum, light);
         } else {
-            sum = how.saturates ? add_565(sum, light) : sum + light;
+            sum = how.saturates ? add_565(sum, light) : plain_sum(sum, light);
         }
     }
     return sum;
 }
 
-static ALWAYS_INLINE void lit_run(const lmb_paint *paint, uint16_t *pixel, uint32_t n, lmb_term *n_l, lmb_term *n_h,
+static ALWAYS_INLINE void lit_run(const lmb_paint *paint, uint16_t *pixel, const uint16_t *end, lmb_term *n_l, lmb_term *n_h,
                                   enum ramp_use use, const gleam_use how)
 {
     const uint16_t *const ramp = lit_ramp(paint, use);
-    uint16_t *const end = pixel + n;
     lmb_term diffuse = *n_l, specular = *n_h;
     do {
         const uint32_t sum = lit_sum(ramp, diffuse.f, specular.f, use, how);

@@ -9,7 +9,8 @@
  *                              Up to 13 degrees the library takes a curve (RGB888, the scene's exponent), then an arc
  *   span-arc-setup-565         the same of the eleven spans of up to 17 degrees as RGB565 takes them if n is up to 32: rough curves,
  *                              which end at 19 degrees
- *   triangle-gloss, -worst     lmb_triangle_begin of triangles that are drawn: the mean of icosphere-320, the most of all scenes
+ *   triangle-gloss, -worst     lmb_triangle_begin of triangles that are drawn, and the beginning of their sides: the mean of
+ *                              icosphere-320, the most of all scenes
  *   vertex                     lmb_mesh_project over the vertices of icosphere-320
  *   lobe, lobe-*               64 evaluations less a loop with none
  *   step-*                     step_kernels.c
@@ -22,6 +23,7 @@
 
 #include "../../firmware/curve.h"
 #include "../../firmware/shade.h"
+#include "../../firmware/stride.h"
 #include "mark.h"
 
 #define NARROW 16
@@ -156,17 +158,27 @@ static void corners_set(enum turn turn)
 }
 
 /* Cuts what has been begun at a column by an edge of its own, so that it is drawn as what no window cuts. */
-static void upright(int32_t x)
+static void upright(int32_t x, bool by_rows)
 {
-    lmb_edge *right = &work->triangle.edge[1];
-    right->x = x;
-    right->step = right->part = right->gap = 0;
-    work->triangle.inside = true;
+    lmb_triangle *t = &work->triangle;
+    t->inside = true;
+    if (by_rows && t->kind == LMB_SPAN_PLANE) {
+        lmb_stride *right = &t->walk.stride[1];
+        lmb_strides_begin(t);
+        right->x = lmb_shl(lmb_sub(x, t->column), LMB_STRIDE_BITS);
+        right->step = 0;
+        t->y_turn = t->y_end;
+    } else {
+        lmb_edge *right = &t->walk.edge[1];
+        lmb_triangle_walk(t);
+        right->x = x;
+        right->step = right->part = right->gap = 0;
+    }
 }
 
-/* Begins the kernel's triangle in a window of so many columns and rows at its top left, where it fills all of it. Every row of
- * the surface lies on the first: that is memory enough. */
-static bool begin(const scene *s, const kernel *k, int columns, int rows)
+/* Begins the kernel's triangle in a window of so many columns and rows at its top left, where it fills all of it, to be filled by rows or
+ * span by span. Every row of the surface lies on the first: that is memory enough. */
+static bool begin(const scene *s, const kernel *k, int columns, int rows, bool by_rows)
 {
     if (!paint_prepare(s, k->model, k->step)) return false;
     lmb_rays_prepare(&room.rays, &work->paint.look, NULL);
@@ -177,16 +189,16 @@ static bool begin(const scene *s, const kernel *k, int columns, int rows)
     room.surface.pitch = 0;
     corners_set(k->turn);
     if (!triangle_begin(&room.corner[0], &room.corner[1], &room.corner[2])) return false;
-    upright(MARGIN + columns);
+    upright(MARGIN + columns, by_rows);
     return true;
 }
 
 static void filled(const scene *s, const kernel *k, int columns, int rows)
 {
     uint32_t pixels = 0;
-    if (!begin(s, k, columns, rows)) say_fault(k->name, " has no triangle");
+    if (!begin(s, k, columns, rows, false)) say_fault(k->name, " has no triangle");
     while (lmb_triangle_next(&work->triangle, &work->span)) pixels += work->span.length;
-    begin(s, k, columns, rows);
+    begin(s, k, columns, rows, true);
     profile_begin();
     triangle_fill();
     profile_end();
@@ -199,9 +211,9 @@ static unsigned pixels_lit(const scene *s, const kernel *k)
     kernel plain = *k;
     unsigned i, lit = 0;
     plain.model = LMB_MODEL_DIFFUSE;
-    if (begin(s, k, WIDE, FEW)) triangle_fill();
+    if (begin(s, k, WIDE, FEW, true)) triangle_fill();
     for (i = 0; i < WIDE; i++) kept[i] = row[MARGIN + i];
-    if (begin(s, &plain, WIDE, FEW)) triangle_fill();
+    if (begin(s, &plain, WIDE, FEW, true)) triangle_fill();
     for (i = 0; i < WIDE; i++) lit += kept[i] != row[MARGIN + i];
     return lit;
 }
@@ -274,7 +286,7 @@ static void triangles(const scene *s)
     uint32_t i;
     if (s->objects != 1 || !PROFILE_FITS(o->mesh) || !paint_prepare(s, LMB_MODEL_GLOSS, LMB_STEP_QUADRATIC)) return;
     lmb_rays_prepare(&room.rays, &work->paint.look, &o->pose.rotation);
-    room.rays.bend_q28 = lmb_shade_bend(o->mesh->bend);
+    lmb_shade_bend(&room.rays, &work->paint.look, o->mesh->bend);
     lmb_surface_strip(&room.surface, LMB_RGB565, row, NULL, s->width, 0, s->height);
     lmb_mesh_project(o->mesh, &o->pose, &s->camera, profile_memory.vertices);
     for (i = 0; i < o->mesh->triangles; i++) {
@@ -284,6 +296,7 @@ static void triangles(const scene *s)
         if (!triangle_begin(a, b, c)) continue;
         profile_begin();
         triangle_begin(a, b, c);
+        lmb_strides_begin(&work->triangle);
         profile_end();
     }
 }
