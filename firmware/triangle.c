@@ -200,7 +200,7 @@ static void row_step(lmb_triangle *t)
 bool lmb_triangle_next(lmb_triangle *t, lmb_span *span)
 {
     bool found = false;
-    if (t->walked != LMB_WALKED_EDGES) lmb_triangle_walk(t);
+    if (t->walked != LMB_WALKED_EDGES && t->y < t->y_end) lmb_triangle_walk(t);
     while (!found && t->y < t->y_end) {
         int32_t x = lmb_max(t->walk.edge[0].x, t->window_left), length = lmb_sub(lmb_min(t->walk.edge[1].x, t->window_right), x);
         found = length > 0;

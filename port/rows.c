@@ -7,17 +7,9 @@
 #include "corner.h"
 #include "depth.h"
 #include "run.h"
-
-#include "../firmware/stride.h"
+#include "sides.h"
 
 #if LMB_WITH_RGB565
-
-/* Whether triangles that no window cuts take strides. On AVR a shift by their bits is a loop. */
-#if LMB_LOOPS && !defined(__AVR__)
-#define STRIDES 1
-#else
-#define STRIDES 0
-#endif
 
 /* Whether the surface has depth. */
 enum depth_use { DEPTH_NEVER, DEPTH_ALWAYS, DEPTH_MAYBE = LMB_WITH_DEPTH ? 2 : DEPTH_NEVER };
@@ -209,51 +201,11 @@ static ALWAYS_INLINE bool keeps_strides(const filling how)
 #endif
 }
 
-/* Both sides of the next row, x to end - 1, cut by the window where it may cut; and one row down. */
-static ALWAYS_INLINE void sides_next(lmb_triangle *t, lmb_stride side[2], int32_t *x, int32_t *end, const filling how)
-{
-    if (has_strides(how)) {
-        lmb_stride *const stride = keeps_strides(how) ? side : t->walk.stride;
-        *x = lmb_stride_step(&stride[0]);
-        *end = lmb_stride_step(&stride[1]);
-        return;
-    }
-    *x = t->walk.edge[0].x;
-    *end = t->walk.edge[1].x;
-    if (how.ramp == RAMP_UNEVEN) {
-        *x = lmb_max(*x, t->window_left);
-        *end = lmb_min(*end, t->window_right);
-    }
-    lmb_edge_step(&t->walk.edge[0]);
-    lmb_edge_step(&t->walk.edge[1]);
-}
-
-/* The sides of the next rows: the row where these end. */
-static ALWAYS_INLINE int32_t sides_begin(lmb_triangle *t, const filling how)
-{
-    if (has_strides(how)) {
-        if (t->walked != LMB_WALKED_STRIDES) lmb_strides_begin(t);
-        return t->y_turn;
-    }
-    if (t->walked != LMB_WALKED_EDGES) lmb_triangle_walk(t);
-    return t->y < t->y_switch ? lmb_min(t->y_switch, t->y_end) : t->y_end;
-}
-
-static ALWAYS_INLINE int32_t sides_turn(lmb_triangle *t, const filling how)
-{
-    if (has_strides(how)) {
-        lmb_strides_turn(t);
-        return t->y_turn;
-    }
-    lmb_triangle_turn(t);
-    return t->y_end;
-}
-
 /* All rows of a triangle of planes, RGB565: those above the middle corner, then those below. */
 static ALWAYS_INLINE void fill_rows(const lmb_surface *surface, const lmb_paint *paint, lmb_triangle *t, uint16_t colour,
                                     const corner_steps *steps, const filling how)
 {
-    int32_t stop = sides_begin(t, how);
+    int32_t stop = sides_begin(t, has_strides(how));
     const int32_t origin = has_strides(how) ? t->column : 0;
     uint8_t *row = row_of(surface, t->y) + 2 * (ptrdiff_t)lmb_sub(origin, surface->window.left);
     size_t pitch = surface->pitch;
@@ -276,7 +228,7 @@ static ALWAYS_INLINE void fill_rows(const lmb_surface *surface, const lmb_paint 
             PUT_BY(row);
             PUT_BY(rows);
             PUT_BY(pitch);
-            sides_next(t, side, &x, &end, how);
+            sides_next(t, keeps_strides(how) ? side : t->walk.stride, &x, &end, has_strides(how), how.ramp == RAMP_UNEVEN);
             if (end > x) fill_row(paint, t, &depth, (uint16_t *)(void *)row, x, end, gleam, colour, steps, how);
             FORGET();
             PUT_BY(row);
@@ -292,20 +244,9 @@ static ALWAYS_INLINE void fill_rows(const lmb_surface *surface, const lmb_paint 
             t->walk.stride[0].x = side[0].x;
             t->walk.stride[1].x = side[1].x;
         }
-        stop = sides_turn(t, how);
+        stop = sides_turn(t, has_strides(how));
     }
 }
-
-#if LMB_LOOPS && (LMB_WITH_CORNERS || LMB_WITH_RAMPS)
-
-/* Whether strides serve a triangle inside of its window. */
-static bool is_small(const lmb_triangle *t)
-{
-    return !STRIDES || (lmb_sub(t->window_right, t->window_left) < LMB_STRIDE_MAX / 16 &&
-                        lmb_sub(t->corner[2]->y, t->corner[0]->y) < LMB_STRIDE_MAX);
-}
-
-#endif
 
 /* -------------------------------------------------------------------------------------------------------------- one colour */
 
