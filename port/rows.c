@@ -544,6 +544,7 @@ static NOINLINE void fill_others(const lmb_surface *surface, const lmb_paint *pa
 
 void lmb_fill_triangle(const lmb_surface *surface, const lmb_paint *paint, lmb_triangle *t)
 {
+    if (t->y >= t->y_end) return; /* drawn before */
 #if LMB_WITH_RGB565 && LMB_WITH_RAMPS
     if (is_ramped(paint) && is_plane(t)) {
         fill_simple(surface, paint, t);
