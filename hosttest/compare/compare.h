@@ -25,11 +25,6 @@
 #define COMPARE_WITH_LIBM 1
 #endif
 
-/* 0 where flash is short: of the lobes leaves powf, float-squarings, blinn, schlick, schlick-8, w16, lambent, table256. */
-#ifndef COMPARE_WITH_ALL_LOBES
-#define COMPARE_WITH_ALL_LOBES 1
-#endif
-
 /* ---------------------------------------------------------------------------------------------------------------- material */
 
 #define COMPARE_SHININESS 16

@@ -22,9 +22,7 @@ int compare_lobe_prepare(compare_lobe *lobe, unsigned n)
     lobe->n_f = (float)n;
     lobe->ratio = (float)n / 16;
     compare_powers(lobe->power, n);
-#if COMPARE_WITH_ALL_LOBES
     compare_angles_prepare(lobe, n);
-#endif
     return LMB_OK;
 }
 
@@ -119,7 +117,6 @@ const compare_lobe_kernel compare_lobes[] = {
     {"lobe-w16", false, compare_as_w16, compare_sum_w16},
     {"lobe-lambent", false, compare_as_tuned, compare_sum_lambent},
     {"lobe-table256", false, as_index, compare_sum_table},
-#if COMPARE_WITH_ALL_LOBES
     {"lobe-phong", false, compare_as_mirrored, compare_sum_phong},
     {"lobe-gauss", false, compare_as_versine, compare_sum_gauss},
     {"lobe-w2", false, compare_as_w2, compare_sum_w2},
@@ -131,7 +128,6 @@ const compare_lobe_kernel compare_lobes[] = {
 #if COMPARE_WITH_LIBM
     {"lobe-float-schlick", true, compare_as_float, compare_sum_float_schlick},
     {"lobe-acosf", true, compare_as_float, compare_sum_acosf},
-#endif
 #endif
 };
 /* clang-format on */

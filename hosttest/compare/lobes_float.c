@@ -38,8 +38,6 @@ static COMPARE_INLINE uint32_t squarings(const compare_lobe *lobe, compare_argum
 COMPARE_LOBE_SUM(compare_sum_powf, power)
 COMPARE_LOBE_SUM(compare_sum_float_squarings, squarings)
 
-#if COMPARE_WITH_ALL_LOBES
-
 static COMPARE_INLINE uint32_t schlick(const compare_lobe *lobe, compare_argument argument)
 {
     float c = argument.f;
@@ -58,8 +56,6 @@ static COMPARE_INLINE uint32_t parabola(const compare_lobe *lobe, compare_argume
 
 COMPARE_LOBE_SUM(compare_sum_float_schlick, schlick)
 COMPARE_LOBE_SUM(compare_sum_acosf, parabola)
-
-#endif
 
 #else
 

@@ -240,7 +240,7 @@ static void say_choice(void)
     profile_say_end();
 }
 
-int main(void)
+bool profile_frames(void)
 {
     scene *s = &profile_work.scene;
     bool any = false;
@@ -249,7 +249,16 @@ int main(void)
         scene_make(s, i);
         if (figured(s->name) && profile_chosen(profile_scene, s->name) && fits(s)) any = scene_measured(s) || any;
     }
-    if (profile_chosen(profile_scene, "kernels")) any = profile_kernels() || any;
+    return any;
+}
+
+int main(void)
+{
+    bool any = profile_part[0] && profile_part[0]();
+    unsigned i;
+    for (i = 1; i < PROFILE_PARTS; i++) {
+        if (profile_part[i] && profile_chosen(profile_scene, "kernels")) any = profile_part[i]() || any;
+    }
     if (!any) say_choice();
     return 0;
 }

@@ -66,8 +66,14 @@ extern union profile_memory {
     } compared;
 } profile_memory;
 
-/* kernels.c and step_kernels.c; true if anything was measured. */
+/* bench.c, kernels.c, lobe_kernels.c, step_kernels.c; true if anything was measured. */
+bool profile_frames(void);
 bool profile_kernels(void);
+bool profile_lobe_kernels(void);
 bool profile_step_kernels(void);
+
+/* These four, NULL what this image does not hold. From select.c. */
+#define PROFILE_PARTS 4
+extern bool (*const profile_part[PROFILE_PARTS])(void);
 
 #endif

@@ -12,7 +12,6 @@
  *   triangle-gloss, -worst     lmb_triangle_begin of triangles that are drawn, and the beginning of their sides: the mean of
  *                              icosphere-320, the most of all scenes
  *   vertex                     lmb_mesh_project over the vertices of icosphere-320
- *   lobe, lobe-*               64 evaluations less a loop with none
  *   step-*                     step_kernels.c
  *
  * Rows are filled by what fills them in frames, so it is the same loop. Whether pixels are dark or lit is checked. What is said:
@@ -23,7 +22,7 @@
 
 #include "../../firmware/curve.h"
 #include "../../firmware/shade.h"
-#include "../../firmware/stride.h"
+#include "../../port/sides.h"
 #include "mark.h"
 
 #define NARROW 16
@@ -162,7 +161,7 @@ static void upright(int32_t x, bool by_rows)
 {
     lmb_triangle *t = &work->triangle;
     t->inside = true;
-    if (by_rows && t->kind == LMB_SPAN_PLANE) {
+    if (STRIDES && by_rows && t->kind == LMB_SPAN_PLANE) {
         lmb_stride *right = &t->walk.stride[1];
         lmb_strides_begin(t);
         right->x = lmb_shl(lmb_sub(x, t->column), LMB_STRIDE_BITS);
@@ -296,7 +295,7 @@ static void triangles(const scene *s)
         if (!triangle_begin(a, b, c)) continue;
         profile_begin();
         triangle_begin(a, b, c);
-        lmb_strides_begin(&work->triangle);
+        sides_begin(&work->triangle, STRIDES);
         profile_end();
     }
 }
@@ -352,34 +351,6 @@ static void compared_spans(const scene *s)
     }
 }
 
-static bool is_empty(const char *name) { return name[5] == 'n'; } /* lobe-none */
-/* lobe-lambent, and not lobe-lyon */
-static const char *short_name(const char *name) { return name[5] == 'l' && name[6] == 'a' ? "lobe" : name; }
-
-static void compared_lobes(void)
-{
-    static const int8_t weights[] = {1, -1, 0};
-    struct profile_compared *c = &profile_memory.compared;
-    volatile uint32_t sum;
-    unsigned i, n, none = 0;
-    if (compare_lobe_prepare(&c->lobe, COMPARE_SHININESS)) return;
-    compare_lobe_cosines(c->cosines, COMPARE_SHININESS);
-    while (none + 1 < compare_lobe_count && !is_empty(compare_lobes[none].name)) none++;
-    for (i = 0; i < compare_lobe_count; i++) {
-        const compare_lobe_kernel *k = &compare_lobes[i], *empty = &compare_lobes[none];
-        if (i == none || !profile_chosen(profile_model, short_name(k->name))) continue;
-        k->arguments(&c->lobe, c->arguments, c->cosines, COMPARE_ARGUMENTS);
-        say_kernel(short_name(k->name), "evaluation", COMPARE_ARGUMENTS, weights);
-        for (n = 0; n < 2; n++) {
-            uint32_t (*evaluate)(const compare_lobe *, const compare_argument *, unsigned) = n == 0 ? k->sum : empty->sum;
-            profile_begin();
-            sum = evaluate(&c->lobe, c->arguments, COMPARE_ARGUMENTS);
-            profile_end();
-        }
-    }
-    (void)sum;
-}
-
 #endif
 
 static const kernel pixel_kernels[] = {
@@ -410,8 +381,6 @@ bool profile_kernels(void)
 #if LMB_PROFILE_COMPARED
     paint_prepare(s, LMB_MODEL_GLOSS, LMB_STEP_QUADRATIC);
     compared_spans(s);
-    compared_lobes();
 #endif
-    any |= profile_step_kernels();
     return any;
 }

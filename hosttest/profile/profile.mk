@@ -22,6 +22,7 @@ GROWING := m0plus m4 rv32imc
 # NAME.profile_run      command, where it is another: $(1) is the image, $(2) options for QEMU
 # NAME.profile_flags    for the benchmark
 # NAME.profile_options  for the plugin
+# NAME.profile_split    frames, kernels, and methods alone (models lobe..., step-...) are three images
 
 # Thumb-1 code in the memory of an MPS2, whose Cortex-M3 executes it as a Cortex-M0 does: the micro:bit has 16 KB.
 m0plus.profile_ld := linker/mps2-an385.ld
@@ -37,12 +38,11 @@ rv32ec.profile_ld := $(PROFILE)/rv32.ld
 lx106.profile_ld := $(PROFILE)/lx106.ld
 lx106.profile_flags := -DLMB_PROFILE_COMPARED=0
 
-# 16 KB of RAM: frames strip by strip, and kernels on a smaller surface. 128 KB of flash: two scenes beside all
-# frames and spans of comparison, eight of the lobes (compare.h) and none of the ways along a span. Those without the others:
-#   make profile TARGET=atmega1284p SCENE=kernels B=build/steps \
-#       CPPFLAGS='-ULMB_PROFILE_STEPS -DLMB_PROFILE_STEPS=1 -DLMB_PROFILE_COMPARED=0'
+# 16 KB of RAM: frames strip by strip, and kernels on a smaller surface. 128 KB of flash: two scenes, and frames, kernels and
+# what is compared alone in images of their own.
 atmega1284p.profile_ld := $(PROFILE)/atmega1284p.ld
-atmega1284p.profile_flags := -DLMB_PROFILE_SIZE=128 -DLMB_PROFILE_BYTES=10752 -DCOMPARE_WITH_ALL_LOBES=0 -DLMB_PROFILE_STEPS=0 \
+atmega1284p.profile_split := yes
+atmega1284p.profile_flags := -DLMB_PROFILE_SIZE=128 -DLMB_PROFILE_BYTES=10752 \
     -DSCENES="(SCENE_WITH_ICOSPHERE_320|SCENE_WITH_ICOSPHERE_128)"
 
 # Where an x86 instruction crosses a page, QEMU 7.2 reports it in two translations and executes it in one: so one by one.
@@ -63,7 +63,7 @@ profile_flags = $($1.profile_flags) $(if $(findstring SCENES,$($1.profile_flags)
 profile_listing = $($1.prefix)objdump -t -d -w -z $2.elf > $2.lst
 
 profile_compared = $(if $(findstring COMPARED=0,$($1.profile_flags)),,$(wildcard hosttest/compare/*.c))
-profile_objects = $(patsubst %.c,$(B)/firmware/$1/%.o,$(addprefix $(PROFILE)/,bench.c kernels.c step_kernels.c mark.c) $(profile_compared))
+profile_objects = $(patsubst %.c,$(B)/firmware/$1/%.o,$(addprefix $(PROFILE)/,bench.c kernels.c lobe_kernels.c step_kernels.c mark.c) $(profile_compared))
 profile_tests = $(addprefix $(B)/firmware/$1/$(PROFILE)/,test_main.o mark.o \
     $(if $(filter arm-%,$($1.prefix)),test_thumb.o) $(if $(filter avr-,$($1.prefix)),test_avr.o))
 
@@ -101,8 +101,13 @@ $(B)/profile/report: $(PROFILE)/report.c $(PROFILE)/program.c $(PROFILE_HEADERS)
 
 define profile_rules
 $(call profile_objects,$1): private SPECIAL = $$(call profile_flags,$1)
+$(call profile_objects,$1): $(PROFILE)/profile.mk
 
-$(B)/profile/$1/chosen.elf: private SELECT = -DSELECT_SCENE='"$$(SCENE)"' -DSELECT_MODEL='"$$(MODEL)"'
+$(B)/profile/$1/frames.elf: private SELECT = -DSELECT_PARTS=1
+$(B)/profile/$1/kernels.elf: private SELECT = -DSELECT_PARTS=2
+$(B)/profile/$1/methods.elf: private SELECT = -DSELECT_PARTS=12
+$(B)/profile/$1/chosen.elf: private SELECT = -DSELECT_SCENE='"$$(SCENE)"' -DSELECT_MODEL='"$$(MODEL)"' \
+    $(if $($1.profile_split),-DSELECT_PARTS=$$(if $$(filter kernels,$$(SCENE)),$$(if $$(filter lobe% step-%,$$(MODEL)),12,2),1))
 $(B)/profile/$1/chosen.elf: always
 $(B)/profile/$1/%.elf: $(PROFILE)/select.c port/demo/scenes.c $(call profile_objects,$1) \
     $(filter-out %/scenes.o,$($1.support)) $(B)/firmware/$1/liblambent.a $(call profile_ld,$1)
@@ -136,15 +141,18 @@ endef
 .PHONY: always profile-help
 $(foreach t,$(PROFILED),$(eval $(call profile_rules,$t)))
 
-$(B)/report/cycles.csv: $(B)/profile/report $(PROFILED:%=$(B)/profile/%/all.out)
+# profile_parts TARGET,PARTS: what the profiler has written of them.
+profile_parts = $(patsubst %,$(B)/profile/$1/%.out,$(if $($1.profile_split),$2,all))
+
+$(B)/report/cycles.csv: $(B)/profile/report $(foreach t,$(PROFILED),$(call profile_parts,$t,frames))
 	@mkdir -p $(@D)
 	$(Q){ echo core,scene,model,format,triangles,pixels,instructions_per_pixel,cycles_per_pixel,cycles_min,cycles_max; \
-	    for t in $(PROFILED); do $< cycles $(B)/profile/$$t/all.out || exit 1; done; } > $@
+	    for f in $(filter %.out,$^); do $< cycles $$f || exit 1; done; } > $@
 
-$(B)/report/kernel_cycles.csv: $(B)/profile/report $(PROFILED:%=$(B)/profile/%/all.out)
+$(B)/report/kernel_cycles.csv: $(B)/profile/report $(foreach t,$(PROFILED),$(call profile_parts,$t,kernels methods))
 	@mkdir -p $(@D)
 	$(Q){ echo core,kernel,unit,instructions,cycles; \
-	    for t in $(PROFILED); do $< kernels $(B)/profile/$$t/all.out || exit 1; done; } > $@
+	    for f in $(filter %.out,$^); do $< kernels $$f || exit 1; done; } > $@
 
 # How cost grows.
 $(B)/report/growth.csv: $(B)/profile/report $(GROWING:%=$(B)/profile/%/growth.out)
@@ -155,7 +163,7 @@ $(B)/report/growth.csv: $(B)/profile/report $(GROWING:%=$(B)/profile/%/growth.ou
 profile-help:
 	@echo 'make profile TARGET=... [SCENE=...] [MODEL=...] [LIST=function] [MULTIPLIER=32]'
 	@echo '  TARGET      $(PROFILED)'
-	@echo '  SCENE       icosphere-320 icosphere-1280 icosphere-128 torus teapot kernels; all if left out'
+	@echo '  SCENE       icosphere-320 icosphere-1280 icosphere-128 torus teapot kernels; all if left out (atmega1284p: kernels apart, lobe... and step-... by MODEL)'
 	@echo '  MODEL       flat gouraud diffuse gloss gloss-arc, a method of comparison, or of kernels a kernel; all if left out'
 	@echo '  LIST        prints the instructions of a function too, each with how often it was executed and its cycles'
 	@echo '  MULTIPLIER  32: the small multiplier that makers of Cortex-M0 and M0+ may choose'

@@ -97,8 +97,4 @@ bool profile_step_kernels(void)
     return any;
 }
 
-#else
-
-bool profile_step_kernels(void) { return false; }
-
 #endif
