@@ -7,8 +7,9 @@
 
 #include "../firmware/stride.h"
 
-/* Whether triangles that no window cuts take strides. On AVR a shift by their bits is a loop. */
-#if LMB_LOOPS && !defined(__AVR__)
+/* Whether triangles that no window cuts take strides. On AVR a shift by their bits is a loop, and on cores without a multiplier so are
+ * the products that set them up. */
+#if LMB_LOOPS && !defined(__AVR__) && (!defined(__riscv) || defined(__riscv_mul))
 #define STRIDES 1
 #else
 #define STRIDES 0
