@@ -9,6 +9,7 @@ command -v gnuplot >/dev/null || { echo "charts: gnuplot is missing; make deps i
 mkdir -p "$out"
 [ $# -gt 0 ] || set -- $(cd "$here" && ls ./*.gp | sed 's/^\.\///; s/\.gp$//; /^style$/d; /^maps/d')
 for name; do
+    [ -f "$here/$name.gp" ] || { echo "charts: there is no $name; hosttest/charts/*.gp has them"; exit 1; }
     height=$(sed -n 's/^# height: //p' "$here/$name.gp")
     for type in svg png; do
         if ! gnuplot -c "$here/style.gp" "$here/$name.gp" "$data" "$out/$name.$type" "${height:-500}" 2>"$data/log" || [ -s "$data/log" ]; then

@@ -15,7 +15,7 @@ static const struct words {
      "normals run faster in the middle than at the ends; opposite ones meet at zero and have no direction there"},
     {"span", "float_", "as its form in double, nearly"},
     {"span", "slerp", "opposite normals span no plane"},
-    {"span", "kuijk_blake", "opposite normals span no plane; angles are as fine as their table"},
+    {"span", "kuijk_blake", "opposite normals span no plane; near them the sine of their angle has few bits"},
     {"span", "lyon_taylor", "as normalise; beyond some 60 degrees three terms of the series no longer reach unit length"},
     {"span", "forward_length", "as normalise"},
     {"span", "reflection_map", "as coarse as its cells at any angle"},
