@@ -8,7 +8,8 @@
 #include "triangle.h"
 #include "vec.h"
 
-#define PLAIN_MAX (2046 * 16) /* 1/16 pixel: two products of that fit */
+#define PLAIN_MAX (2046 * 16) /* 1/16 pixel: the products of a cross product fit, as they are compared and not subtracted */
+LMB_STATIC_ASSERT((uint32_t)PLAIN_MAX *PLAIN_MAX <= (uint32_t)INT32_MAX);
 
 static bool is_flat(const lmb_walk *walk) { return LMB_WITH_CORNERS && walk->look->model == LMB_MODEL_FLAT; }
 
