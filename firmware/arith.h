@@ -41,8 +41,10 @@ LMB_STATIC_ASSERT((-1 & 3) == 3);   /* two's complement */
 /* Where size is asked for, small functions that are called several times stay out of line. */
 #if defined(__GNUC__) && defined(__OPTIMIZE_SIZE__)
 #define LMB_OUTLINE __attribute__((noinline))
+#define LMB_OUTLINE_OR_INLINE LMB_OUTLINE
 #else
 #define LMB_OUTLINE
+#define LMB_OUTLINE_OR_INLINE inline
 #endif
 
 /* Code that is there for speed alone is left out where compilers are asked for small code. */
@@ -55,8 +57,10 @@ LMB_STATIC_ASSERT((-1 & 3) == 3);   /* two's complement */
 /* Kept out of a short loop, whose registers it would take. */
 #if LMB_SHORT_CUTS && defined(__GNUC__)
 #define LMB_APART __attribute__((noinline))
+#define LMB_IN_LINE inline __attribute__((always_inline)) /* however long it is */
 #else
 #define LMB_APART
+#define LMB_IN_LINE inline
 #endif
 
 /* The same where a core has but eight registers; others take it in line. */

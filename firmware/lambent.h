@@ -72,8 +72,31 @@ LMB_STATIC_ASSERT(LMB_LIGHTS >= 1 && LMB_LIGHTS <= 4);
 #ifndef LMB_WITH_ARC
 #define LMB_WITH_ARC 1 /* LMB_STEP_ARC */
 #endif
+#ifndef LMB_WITH_PLANS
+#define LMB_WITH_PLANS 1 /* LMB_STEP_PLANNED */
+#endif
+#ifndef LMB_WITH_QUADRATIC
+#define LMB_WITH_QUADRATIC 1 /* LMB_STEP_QUADRATIC */
+#endif
+#ifndef LMB_WITH_DIFFUSE
+#define LMB_WITH_DIFFUSE                                                                                                         \
+    1 /* LMB_MODEL_DIFFUSE; without it and gloss nothing is reckoned for each pixel, no arcs and no plans either */
+#endif
+#ifndef LMB_WITH_GLOSS
+#define LMB_WITH_GLOSS 1 /* LMB_MODEL_GLOSS */
+#endif
 #ifndef LMB_WITH_CORNERS
 #define LMB_WITH_CORNERS 1 /* LMB_MODEL_FLAT and LMB_MODEL_GOURAUD */
+#endif
+#ifndef LMB_WITH_GOURAUD
+#define LMB_WITH_GOURAUD LMB_WITH_CORNERS /* LMB_MODEL_GOURAUD */
+#endif
+#define LMB_WITH_PIXELS (LMB_WITH_DIFFUSE || LMB_WITH_GLOSS)
+#if !LMB_WITH_PIXELS
+#undef LMB_WITH_ARC
+#undef LMB_WITH_PLANS
+#define LMB_WITH_ARC 0
+#define LMB_WITH_PLANS 0
 #endif
 #ifndef LMB_WITH_PERSPECTIVE
 #define LMB_WITH_PERSPECTIVE 1 /* perspective cameras, and clipping at the near plane and beyond LMB_SCREEN_MAX */
@@ -90,7 +113,8 @@ LMB_STATIC_ASSERT(LMB_LIGHTS >= 1 && LMB_LIGHTS <= 4);
 #define LMB_WITH_LARGE 1 /* full accuracy for triangles over 512 pixels, 128 times longer than high, or bent across a sliver */
 #endif
 LMB_STATIC_ASSERT((LMB_WITH_LOBES | LMB_WITH_LARGE | LMB_WITH_ARC | LMB_WITH_CORNERS | LMB_WITH_PERSPECTIVE | LMB_WITH_DEPTH |
-                   1) == 1);
+                   LMB_WITH_PLANS | LMB_WITH_QUADRATIC | LMB_WITH_DIFFUSE | LMB_WITH_GLOSS | LMB_WITH_GOURAUD | 1) == 1);
+LMB_STATIC_ASSERT(LMB_WITH_GOURAUD <= LMB_WITH_CORNERS && LMB_WITH_PIXELS + LMB_WITH_CORNERS > 0);
 
 enum lmb_error {
     LMB_OK = 0,
@@ -140,7 +164,8 @@ enum lmb_model {
 enum lmb_step_kind {
     LMB_STEP_LINEAR,    /* linear over the triangle */
     LMB_STEP_QUADRATIC, /* quadratic over the triangle through the corners and the normalised mid-edge normals */
-    LMB_STEP_ARC        /* normals turn evenly along the edges and along each span (paper 001) */
+    LMB_STEP_ARC,       /* normals turn evenly along the edges and along each span (paper 001) */
+    LMB_STEP_PLANNED /* for each triangle and term the cheapest of these, or a constant, that the display cannot tell from arcs */
 };
 
 /* A corner on the screen. */
@@ -297,6 +322,9 @@ int lmb_look_lobe(lmb_look *look, enum lmb_lobe_kind kind, uint16_t tolerance);
 
 /* What does not show: highlights fainter than tolerance, UQ0.16, are left out, which saves their pixels most of the cost.
  * lmb_look_prepare sets LMB_TOLERANCE_RGB888; 0 leaves nothing out but where the lobe ends.
+ * LMB_STEP_PLANNED: all of a pixel stays within twice the tolerance of exact normals and powers, beside what the arithmetic of spans
+ * and lobes errs by: half a level with what paints set (docs/NUMERICS.md, Plans). Lights share it, and the lobe is the cheapest that
+ * leaves room for the rest, unless lmb_look_lobe has chosen one.
  * Specular terms carry the highlight's argument, which is above zero where there is something to be seen: s of the lobe (lobe.h)
  * less its value where the highlight ends, light[i].dark_q16; after lmb_look_ramp a ramp's. */
 #define LMB_TOLERANCE_RGB888 64  /* a quarter of a level of 255 */
@@ -433,6 +461,20 @@ void lmb_triangle_turn(lmb_triangle *triangle);
 /* The next span, top to bottom; false when there is none left. Every pixel of the triangle inside the window comes once. */
 bool lmb_triangle_next(lmb_triangle *triangle, lmb_span *span);
 
+/* How a term is reckoned over a triangle. */
+enum lmb_way { LMB_WAY_NONE, LMB_WAY_CONSTANT, LMB_WAY_LINEAR, LMB_WAY_QUADRATIC, LMB_WAY_ARC };
+#define LMB_WAYS 5
+
+/* What was chosen for the terms of a light in a triangle that lmb_triangle_begin or lmb_mesh_next has set up. */
+enum lmb_way lmb_triangle_diffuse(const lmb_triangle *triangle, unsigned light);
+enum lmb_way lmb_triangle_specular(const lmb_triangle *triangle, unsigned light);
+
+/* The same, counted: begin with zeros, add what is drawn. Terms of several lights count each. */
+typedef struct lmb_statistics {
+    uint32_t triangles, diffuse[LMB_WAYS], specular[LMB_WAYS];
+} lmb_statistics;
+void lmb_statistics_add(lmb_statistics *statistics, const lmb_triangle *triangle);
+
 /* ------------------------------------------------------------------------------------------------- meshes into triangles */
 
 /* Cameras for a frame of width x height pixels, axis through its middle.
@@ -462,6 +504,10 @@ void lmb_mesh_begin(lmb_walk *walk, const lmb_mesh *mesh, const lmb_pose *pose, 
 
 /* Begins the next triangle that may be seen; false at the end. */
 bool lmb_mesh_next(lmb_walk *walk, lmb_triangle *triangle);
+
+/* Adds the triangles of a walk that lmb_mesh_begin has started, to its end, and draws nothing. What draws counts nothing, so that
+ * who does not ask does not pay. */
+void lmb_mesh_statistics(lmb_walk *walk, lmb_statistics *statistics);
 
 /* Projects all vertices of a mesh into vertices[0 .. mesh->vertices - 1], once a frame for any number of strips. Errors are those
  * of lmb_mesh_place and lmb_project together; of orthographic meshes with half sides of up to 375 pixels those of lmb_project. */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Look: material and lights folded together, half vectors, rays in the space of the normals. */
 #include "look.h"
+#include "plan.h"
 #include "shade.h"
 #include "vec.h"
 
@@ -40,17 +41,34 @@ static int lobe_prepare(lmb_look *look, enum lmb_lobe_kind kind, unsigned n, uin
     return kind != LMB_LOBE_TUNED || n - 1 >= LMB_SHININESS_MAX ? LMB_ERROR_VALUE : LMB_OK;
 }
 
+/* What is built in: first and last, and what lies between. */
+#define MODEL_FIRST (LMB_WITH_CORNERS ? LMB_MODEL_FLAT : LMB_WITH_DIFFUSE ? LMB_MODEL_DIFFUSE : LMB_MODEL_GLOSS)
+#define MODEL_LAST                                                                                                               \
+    (LMB_WITH_GLOSS     ? LMB_MODEL_GLOSS                                                                                        \
+     : LMB_WITH_DIFFUSE ? LMB_MODEL_DIFFUSE                                                                                      \
+     : LMB_WITH_GOURAUD ? LMB_MODEL_GOURAUD                                                                                      \
+                        : LMB_MODEL_FLAT)
+#define STEP_LAST                                                                                                                \
+    (LMB_WITH_PLANS ? LMB_STEP_PLANNED : LMB_WITH_ARC ? LMB_STEP_ARC : LMB_WITH_QUADRATIC ? LMB_STEP_QUADRATIC : LMB_STEP_LINEAR)
+
+static bool is_built_in(enum lmb_model model, enum lmb_step_kind step)
+{
+    if ((unsigned)model - MODEL_FIRST > (unsigned)MODEL_LAST - MODEL_FIRST || (unsigned)step > STEP_LAST) return false;
+    if (!LMB_WITH_GOURAUD && model == LMB_MODEL_GOURAUD) return false;
+    if (!LMB_WITH_DIFFUSE && model == LMB_MODEL_DIFFUSE) return false;
+    return !((!LMB_WITH_QUADRATIC && step == LMB_STEP_QUADRATIC) || (!LMB_WITH_ARC && step == LMB_STEP_ARC));
+}
+
 int lmb_look_prepare(lmb_look *look, const lmb_material *material, const lmb_light *lights, unsigned light_count,
                      enum lmb_model model, enum lmb_step_kind step)
 {
     unsigned i;
     if (light_count - 1 >= LMB_LIGHTS) return LMB_ERROR_LIGHTS;
-    if ((unsigned)model > LMB_MODEL_GLOSS || (unsigned)step > LMB_STEP_ARC) return LMB_ERROR_VALUE;
-    if (!LMB_WITH_ARC && step == LMB_STEP_ARC) return LMB_ERROR_VALUE;
-    if (!LMB_WITH_CORNERS && model < LMB_MODEL_DIFFUSE) return LMB_ERROR_VALUE;
+    if (!is_built_in(model, step)) return LMB_ERROR_VALUE;
     if (lobe_prepare(look, LMB_LOBE_TUNED, material->shininess, 0)) return LMB_ERROR_VALUE;
     look->model = (uint8_t)model;
     look->step = (uint8_t)step;
+    look->lobe.fixed = false;
     look->lights = (uint8_t)light_count;
     lmb_colour_fold(look->ambient_q15, &material->ambient, NULL);
     for (i = 0; i < lmb_look_lights(look); i++) {
@@ -70,7 +88,7 @@ static int32_t quiet_from(const lmb_look *look, int32_t strength_q15, bool ramp)
         int32_t value;
         v = lmb_add(v, (int32_t)1 << bit);
         value = LMB_WITH_LOBES && !ramp ? lmb_lobe_eval(&look->lobe, v) : lmb_highlight_q15(look, v);
-        if (lmb_mul(value, strength_q15) <= lmb_shl(look->tolerance, 14)) v = lmb_sub(v, (int32_t)1 << bit);
+        if (lmb_mul(value, strength_q15) <= lmb_shl(lmb_light_tolerance(look), 14)) v = lmb_sub(v, (int32_t)1 << bit);
     }
     return v;
 }
@@ -109,6 +127,8 @@ static int32_t straight_up_to(uint16_t tolerance, int32_t strength_q15)
 static bool light_set(const lmb_look *look, struct lmb_look_light *light, bool ramp)
 {
     light->straight_q28 = straight_up_to(look->tolerance, largest(light->diffuse_q15));
+    lmb_plan_light(look, light, ramp || !LMB_WITH_LOBES);
+    if (!LMB_WITH_GLOSS && !LMB_WITH_CORNERS) return false;
     light->quiet_q30 = quiet_from(look, largest(light->specular_q15), ramp);
     if (LMB_WITH_LOBES && !ramp) {
         line_of_lobe(light, &look->lobe);
@@ -128,6 +148,8 @@ static void lights_set(lmb_look *look, bool ramp)
 void lmb_look_tolerance(lmb_look *look, uint16_t tolerance)
 {
     look->tolerance = tolerance;
+    if (LMB_WITH_LOBES && lmb_is_planned(look) && !look->lobe.fixed)
+        (void)lmb_lobe_prepare(&look->lobe, LMB_LOBE_TUNED, look->lobe.shininess, lmb_plan_lobe(look));
     lights_set(look, false);
 }
 
@@ -145,8 +167,10 @@ int32_t lmb_look_ramp_at(const lmb_look *look, unsigned i, uint32_t argument_q30
 int lmb_look_lobe(lmb_look *look, enum lmb_lobe_kind kind, uint16_t tolerance)
 {
     int error = lobe_prepare(look, kind, look->lobe.shininess, tolerance);
-    if (error == LMB_OK) lmb_look_tolerance(look, look->tolerance);
-    return error;
+    if (error) return error;
+    look->lobe.fixed = true;
+    lmb_look_tolerance(look, look->tolerance);
+    return LMB_OK;
 }
 
 #if LMB_WITH_ARC
@@ -175,11 +199,12 @@ void lmb_rays_prepare(lmb_rays *rays, const lmb_look *look, const lmb_matrix *ro
             lmb_vec_rotate_back(rotation, &ray->half);
         }
 #if LMB_WITH_ARC
-        if (look->step == LMB_STEP_ARC) beams_prepare(ray, &look->light[i].line);
+        if (look->step >= LMB_STEP_ARC) beams_prepare(ray, &look->light[i].line);
         ray->shines = lmb_bit(look->specular_on, i);
 #endif
     }
 #if LMB_WITH_ARC
+    rays->arcs = lmb_is_planned(look);
     rays->curve_q28 = lmb_curve_limit_q28(look->lobe.shininess);
     rays->rough = look->tolerance >= LMB_TOLERANCE_RGB565 && look->lobe.shininess <= LMB_CURVE_ROUGH_SHININESS;
 #endif

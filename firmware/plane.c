@@ -194,7 +194,7 @@ void lmb_plane_begin(lmb_plane *plane, lmb_lattice *l, const lmb_net *net)
     unsigned size = 0;
     bool curved, exact;
     if (!l->ready) lattice_prepare(l);
-    curved = net->curved && !l->flat;
+    curved = LMB_WITH_QUADRATIC && net->curved && !l->flat;
     exact = l->exact;
     a = lmb_sub(net->value[1], net->value[0]);
     b = lmb_sub(net->value[2], net->value[0]);

@@ -11,6 +11,7 @@
  */
 #include "shade.h"
 
+#include "plan.h"
 #include "power.h"
 #include "step.h"
 #include "vec.h"
@@ -51,7 +52,7 @@ typedef struct bend {
 } bend;
 
 /* lmb_half_distance_q28, in line. */
-static inline int32_t distance_q28(const lmb_vec *a, const lmb_vec *b)
+static LMB_OUTLINE_OR_INLINE int32_t distance_q28(const lmb_vec *a, const lmb_vec *b)
 {
     const int32_t x = lmb_sub(a->x, b->x), y = lmb_sub(a->y, b->y), z = lmb_sub(a->z, b->z);
     return lmb_shr(lmb_add(lmb_add(lmb_mul(x, x), lmb_mul(y, y)), lmb_mul(z, z)), 1);
@@ -118,6 +119,18 @@ static LMB_APART void net_bend(lmb_net *net, const lmb_vertex *const corner[3], 
     }
 }
 
+/* Makes a term constant that ranges, and bulges, by no more than level allows: the middle of its range. The triangle's own bends tell,
+ * whatever is known of its mesh. */
+static inline void net_level(lmb_net *net, const lmb_vertex *const corner[3], bend *b, int32_t level_q28)
+{
+    const int32_t range = lmb_sub(net->high, net->low);
+    if (!LMB_WITH_PLANS || range > level_q28) return;
+    if (!b->set) bends_set(b, corner);
+    if (lmb_add(range, lmb_mul(b->most, 3)) > level_q28) return;
+    net->high = net->low = lmb_shr(lmb_add(net->low, net->high), 1);
+    net->value[0] = net->value[1] = net->value[2] = net->low;
+}
+
 /* x times slope, UQ0.16, over 2^down. */
 static int32_t scaled(int32_t x, uint32_t slope_q16, int32_t down)
 {
@@ -127,7 +140,7 @@ static int32_t scaled(int32_t x, uint32_t slope_q16, int32_t down)
 
 /* Turns a net of v, none of it above high, into one of the argument / 2^exponent, top - slope v, with the exponent that keeps it
  * inside (-2, 2). Returns the exponent; net->low becomes what the argument does not pass. */
-static unsigned net_argument(lmb_net *net, const lmb_line *line, int32_t high)
+static LMB_APART unsigned net_argument(lmb_net *net, const lmb_line *line, int32_t high)
 {
     /* slope v = product * 2^(shift + 1) must stay under 2, 2^29 */
     int32_t up = line->shift + 1, most = lmb_mul_q16(lmb_max(high, 0), line->slope), down, top;
@@ -144,15 +157,16 @@ static unsigned net_argument(lmb_net *net, const lmb_line *line, int32_t high)
 }
 
 /* N.L of light i. Where all corners are unlit the triangle is: bulges have the sign of what bulges. */
-static inline void shade_diffuse(lmb_triangle *t, lmb_lattice *lattice, unsigned i, bend *b)
+static LMB_IN_LINE void shade_diffuse(lmb_triangle *t, lmb_lattice *lattice, unsigned i, bend *b)
 {
-    const int32_t straight_q28 = t->look->light[i].straight_q28;
+    const struct lmb_look_light *light = &t->look->light[i];
     lmb_net net;
     dots_set(&net, lattice->corner, &t->rays->light[i].direction);
     net_range(&net);
     if (net.high <= 0) return;
     net.curved = false;
-    if (b->most > straight_q28) net_bend(&net, lattice->corner, b, straight_q28, 0);
+    if (LMB_WITH_QUADRATIC && b->most > light->straight_q28) net_bend(&net, lattice->corner, b, light->straight_q28, 0);
+    if (!net.curved) net_level(&net, lattice->corner, b, lmb_plan_of(light)->level_q28);
     t->diffuse_on = (uint8_t)(t->diffuse_on | 1u << i);
     if (i == 0) {
         t->low = net.low;
@@ -163,18 +177,17 @@ static inline void shade_diffuse(lmb_triangle *t, lmb_lattice *lattice, unsigned
 
 /* The highlight's argument of light i. A triangle is dark if no control value reaches where the highlight begins to be seen; a
  * bulge is no deeper than its factor. */
-static inline void shade_specular(lmb_triangle *t, lmb_lattice *lattice, unsigned i, bend *b)
+static LMB_IN_LINE void shade_specular(lmb_triangle *t, lmb_lattice *lattice, unsigned i, bend *b)
 {
     const struct lmb_look_light *light = &t->look->light[i];
-    const int32_t quiet_q28 = lmb_shr(light->quiet_q30, 2);
+    const int32_t quiet_q28 = lmb_shr(light->quiet_q30, 2), straight_q28 = lmb_plan_of(light)->gloss_straight_q28;
     lmb_net net;
-    net.value[0] = distance_q28(&lattice->corner[0]->normal, &t->rays->light[i].half);
-    if (LMB_SHORT_CUTS && i == 0 && net.value[0] > t->rays->far_q28) return;
     distances_set(&net, lattice->corner, &t->rays->light[i].half);
     net_range(&net);
     if (lmb_sub(net.low, lmb_shl(b->most, 1)) > quiet_q28) return;
     net.curved = false;
-    if (b->most) net_bend(&net, lattice->corner, b, 0, ONE_Q28);
+    if (LMB_WITH_QUADRATIC && b->most > straight_q28) net_bend(&net, lattice->corner, b, straight_q28, ONE_Q28);
+    if (!net.curved) net_level(&net, lattice->corner, b, lmb_plan_of(light)->gloss_level_q28);
     if (net.low > quiet_q28) return;
     t->specular_on = (uint8_t)(t->specular_on | 1u << i);
     t->exponent[i] = (uint8_t)net_argument(&net, &light->line, lmb_max(net.high, lmb_shl(b->most, 3)));
@@ -183,11 +196,118 @@ static inline void shade_specular(lmb_triangle *t, lmb_lattice *lattice, unsigne
 }
 
 /* Both terms of light i. */
-static inline void shade_light(lmb_triangle *t, lmb_lattice *lattice, unsigned i, bend *b)
+static LMB_IN_LINE void shade_light(lmb_triangle *t, lmb_lattice *lattice, unsigned i, bend *b)
 {
     shade_diffuse(t, lattice, i, b);
-    if (lmb_bit(t->look->specular_on, i)) shade_specular(t, lattice, i, b);
+    if (!LMB_WITH_GLOSS || !lmb_bit(t->look->specular_on, i)) return;
+    if (LMB_SHORT_CUTS && i == 0 && distance_q28(&lattice->corner[0]->normal, &t->rays->light[i].half) > t->rays->far_q28) return;
+    shade_specular(t, lattice, i, b);
 }
+
+#if LMB_WITH_ARC
+static void shade_arcs(lmb_triangle *t)
+{
+    t->kind = LMB_SPAN_ARC;
+    t->diffuse_on = (uint8_t)((1u << t->look->lights) - 1u);
+    t->specular_on = t->look->specular_on;
+}
+#else
+#define shade_arcs(t) ((void)0)
+#endif
+
+/* ---------------------------------------------------------------------------------------------------------- what a plan chooses */
+
+#if LMB_WITH_ARC && LMB_WITH_PLANS
+
+/* Whether N.L of light i shows and is bent more than quadratics serve. */
+static bool diffuse_wants_arcs(const lmb_triangle *t, const lmb_vertex *const corner[3], unsigned i, const bend *b)
+{
+    lmb_net net;
+    if (b->most <= lmb_plan_of(&t->look->light[i])->curved_q28) return false;
+    dots_set(&net, corner, &t->rays->light[i].direction);
+    net_range(&net);
+    return net.high > 0;
+}
+
+static bool specular_wants_arcs(const lmb_triangle *t, const lmb_vertex *const corner[3], unsigned i, const bend *b)
+{
+    const struct lmb_look_light *light = &t->look->light[i];
+    lmb_net net;
+    if (b->most <= lmb_plan_of(light)->gloss_curved_q28 || !lmb_bit(t->look->specular_on, i)) return false;
+    distances_set(&net, corner, &t->rays->light[i].half);
+    net_range(&net);
+    return lmb_sub(net.low, lmb_shl(b->most, 1)) <= lmb_shr(light->quiet_q30, 2);
+}
+
+/* Whether some term does. What is known of the mesh may tell that none does. */
+static bool wants_arcs(const lmb_triangle *t, const lmb_vertex *const corner[3], bend *b)
+{
+    unsigned i;
+    if (!t->rays->arcs) return false;
+    if (!b->set) bends_set(b, corner);
+    for (i = 0; i < lmb_look_lights(t->look); i++) {
+        if (diffuse_wants_arcs(t, corner, i, b) || specular_wants_arcs(t, corner, i, b)) return true;
+    }
+    return false;
+}
+
+/* Whether a bend is more than quadratics serve for some term of a look. */
+static bool may_want_arcs(const lmb_look *look, int32_t most_q28)
+{
+    unsigned i;
+    for (i = 0; i < lmb_look_lights(look); i++) {
+        const struct lmb_plan *plan = lmb_plan_of(&look->light[i]);
+        if (most_q28 > plan->curved_q28 || (most_q28 > plan->gloss_curved_q28 && lmb_bit(look->specular_on, i))) return true;
+    }
+    return false;
+}
+
+/* Whether some term that is on would be quadratic. */
+static bool wants_curves(const lmb_triangle *t, int32_t most_q28)
+{
+    unsigned i;
+    for (i = 0; i < lmb_look_lights(t->look); i++) {
+        const struct lmb_look_light *light = &t->look->light[i];
+        if (lmb_bit(t->diffuse_on, i) && most_q28 > light->straight_q28) return true;
+        if (lmb_bit(t->specular_on, i) && most_q28 > lmb_plan_of(light)->gloss_straight_q28) return true;
+    }
+    return false;
+}
+
+#else
+#define wants_arcs(t, corner, b) false
+#define wants_curves(t, most_q28) ((void)(most_q28), false)
+#endif
+
+#if LMB_WITH_PLANS
+
+/* Whether all terms are constant. */
+static bool is_level(const lmb_triangle *t)
+{
+    unsigned i;
+    for (i = 0; i < lmb_look_lights(t->look); i++) {
+        const lmb_plane *d = &t->u.light[i].diffuse, *s = &t->u.light[i].specular;
+        if (lmb_bit(t->diffuse_on, i) && (d->dx | d->dy | d->bow | d->dxy | d->dyy)) return false;
+        if (lmb_bit(t->specular_on, i) && (s->dx | s->dy | s->bow | s->dxy | s->dyy)) return false;
+    }
+    return true;
+}
+
+/* What terms that have been begun tell: one colour for all of the triangle, or that it is too thin for its planes to take curves. */
+static void plan_end(lmb_triangle *t, const lmb_lattice *lattice, int32_t most_q28)
+{
+    if (is_level(t)) {
+        t->kind = LMB_SPAN_FLAT;
+    } else if (LMB_WITH_ARC && lattice->ready && lattice->flat && wants_curves(t, most_q28)) {
+        shade_arcs(t);
+    }
+}
+
+#else
+#define plan_end(t, lattice, most_q28) ((void)0)
+#endif
+
+/* ------------------------------------------------------------------------------------------------------------------- triangles */
 
 /* Diffuse and gloss by linear or quadratic planes. One light has code of its own. */
 static void shade_planes(lmb_triangle *t, lmb_lattice *lattice, const lmb_vertex *const corner[3])
@@ -196,13 +316,18 @@ static void shade_planes(lmb_triangle *t, lmb_lattice *lattice, const lmb_vertex
     bend b;
     unsigned i;
     b.set = false;
-    b.most = t->look->step == LMB_STEP_QUADRATIC ? t->rays->bend_q28 : 0;
+    b.most = t->look->step == LMB_STEP_LINEAR || !(LMB_WITH_QUADRATIC || LMB_WITH_PLANS) ? 0 : t->rays->bend_q28;
     if (b.most == LMB_BEND_UNKNOWN) bends_set(&b, corner);
+    if (wants_arcs(t, corner, &b)) {
+        shade_arcs(t);
+        return;
+    }
     if (LMB_SHORT_CUTS && lights == 1) {
         shade_light(t, lattice, 0, &b);
     } else {
         for (i = 0; i < lights; i++) shade_light(t, lattice, i, &b);
     }
+    if (lmb_is_planned(t->look)) plan_end(t, lattice, b.most);
 }
 
 /* With normals no farther apart than u, and a the v that a highlight must not come down to, v > a all over where that of a corner
@@ -212,6 +337,9 @@ void lmb_shade_bend(lmb_rays *rays, const lmb_look *look, uint16_t bend_q15)
 {
     const int32_t most = bulge_factor_q28(lmb_shl(bend_q15, 13)), quiet = lmb_shr(look->light[0].quiet_q30, 2);
     rays->bend_q28 = most;
+#if LMB_WITH_ARC && LMB_WITH_PLANS
+    rays->arcs = may_want_arcs(look, most);
+#endif
     if (LMB_SHORT_CUTS && most < ONE_Q28 / 32) rays->far_q28 = lmb_add(lmb_add(quiet, lmb_shr(quiet, 2)), lmb_mul(most, 23));
 }
 
@@ -259,6 +387,7 @@ static void shade_face(lmb_triangle *t, const lmb_vertex *const corner[3])
             t->diffuse_on = (uint8_t)(t->diffuse_on | 1u << i);
             t->u.light[i].diffuse.f = lmb_shl(value, 2);
         }
+        t->exponent[i] = 0;
         if (!lmb_bit(t->look->specular_on, i)) continue;
         value = lobe_q28(&t->look->lobe, lmb_half_distance_q28(n, t->rays->light[i].half));
         if (value > 0) {
@@ -277,13 +406,11 @@ void lmb_shade_begin(lmb_triangle *t, lmb_lattice *lattice, const lmb_vertex *co
     if (LMB_WITH_CORNERS && t->look->model == LMB_MODEL_FLAT) {
         t->kind = LMB_SPAN_FLAT;
         shade_face(t, corner);
-    } else if (LMB_WITH_CORNERS && t->look->model == LMB_MODEL_GOURAUD) {
+    } else if (LMB_WITH_GOURAUD && t->look->model == LMB_MODEL_GOURAUD) {
         shade_corners(t, lattice, corner);
     } else if (LMB_WITH_ARC && t->look->step == LMB_STEP_ARC) {
-        t->kind = LMB_SPAN_ARC;
-        t->diffuse_on = (uint8_t)((1u << t->look->lights) - 1u);
-        t->specular_on = t->look->specular_on;
-    } else {
+        shade_arcs(t);
+    } else if (LMB_WITH_PIXELS) {
         shade_planes(t, lattice, corner);
     }
 }

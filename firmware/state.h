@@ -17,6 +17,7 @@ typedef struct lmb_lobe {
     int8_t slope_shift;      /* slope = mantissa * 2^(slope_shift - 15) per unit of 1 - cos; from -4 to 8 */
     uint8_t multiplications; /* 0 to 4 */
     bool crossed;            /* which form: see lobe.h */
+    bool fixed;              /* of a look: its caller has chosen this one */
 } lmb_lobe;
 
 /* The argument of the highlight at v = 1 - N.H: top - slope v, zero where the highlight ceases to be seen. */
@@ -35,8 +36,15 @@ typedef struct lmb_look {
     uint16_t ambient_q15[3]; /* r, g, b in UQ1.15 */
     struct lmb_look_light {
         lmb_line line;
-        int32_t quiet_q30, dark_q16;              /* 1 - N.H, and s, from where on the highlight is not to be seen */
-        int32_t straight_q28;                     /* the bend up to which linear N.L is good enough */
+        int32_t quiet_q30, dark_q16; /* 1 - N.H, and s, from where on the highlight is not to be seen */
+        int32_t straight_q28;        /* the bend up to which linear N.L is good enough */
+#if LMB_WITH_PLANS
+        struct lmb_plan {
+            int32_t level_q28, gloss_level_q28;   /* how far N.L, and 1 - N.H, may range and be constant; below 0: never */
+            int32_t gloss_straight_q28;           /* the bend up to which a linear argument of the highlight is good enough, */
+            int32_t curved_q28, gloss_curved_q28; /* and quadratics of both: beyond, arcs */
+        } plan;
+#endif
         lmb_vec direction, half;                  /* unit, in space */
         uint16_t diffuse_q15[3], specular_q15[3]; /* material times light */
     } light[LMB_LIGHTS];
@@ -61,6 +69,7 @@ typedef struct lmb_rays {
 #if LMB_WITH_ARC
     int32_t curve_q28; /* the bend up to which curves stand for arcs */
     bool rough;        /* rough ones do as well, up to LMB_CURVE_U_MAX */
+    bool arcs;         /* planned: some triangle may want arcs */
 #endif
     struct lmb_ray {
         lmb_vec direction, half;

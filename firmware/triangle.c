@@ -178,7 +178,8 @@ static void flat_span(const lmb_triangle *t, lmb_span *span)
     for (i = 0; i < lmb_look_lights(t->look); i++) {
         span->diffuse[i].f = t->u.light[i].diffuse.f;
         span->specular[i].f = t->u.light[i].specular.f;
-        span->exponent[i] = 0;
+        span->diffuse[i].d = span->diffuse[i].c = span->specular[i].d = span->specular[i].c = 0;
+        span->exponent[i] = t->exponent[i];
     }
 }
 
@@ -213,9 +214,9 @@ bool lmb_triangle_next(lmb_triangle *t, lmb_span *span)
             span->specular_on = t->specular_on;
             if (LMB_WITH_ARC && t->kind == LMB_SPAN_ARC) {
                 lmb_edge_arc_span(t, span, lmb_sub(x, t->walk.edge[0].x));
-            } else if (LMB_WITH_CORNERS && t->kind == LMB_SPAN_FLAT) {
+            } else if ((LMB_WITH_CORNERS || LMB_WITH_PLANS) && t->kind == LMB_SPAN_FLAT) {
                 flat_span(t, span);
-            } else {
+            } else if (LMB_WITH_PIXELS || LMB_WITH_GOURAUD) {
                 plane_span(t, span);
             }
             if (LMB_WITH_DEPTH && t->depth_on) span->depth = lmb_plane_term(depth_of(t), lmb_sub(x, t->column));

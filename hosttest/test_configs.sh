@@ -13,6 +13,12 @@ cat >"$work/main.c" <<'END'
 /* Draws an icosphere in gloss over what format there is, without depth, and writes the levels of its pixels. */
 #include <stdio.h>
 #include "port/fill.h"
+#ifndef MODEL
+#define MODEL LMB_MODEL_GLOSS
+#endif
+#ifndef STEP
+#define STEP LMB_STEP_QUADRATIC
+#endif
 extern const lmb_mesh mesh_icosphere_320;
 static uint16_t frame[240 * 240 * 3 / 2];
 int main(int argc, char **argv)
@@ -27,10 +33,15 @@ int main(int argc, char **argv)
     lmb_look look;
     static lmb_paint paint;
     if (!LMB_WITH_ARC && lmb_look_prepare(&look, &material, &light, 1, LMB_MODEL_GLOSS, LMB_STEP_ARC) != LMB_ERROR_VALUE) return 1;
+    if (!LMB_WITH_PLANS && lmb_look_prepare(&look, &material, &light, 1, LMB_MODEL_GLOSS, LMB_STEP_PLANNED) != LMB_ERROR_VALUE) return 8;
+    if (!LMB_WITH_DIFFUSE && lmb_look_prepare(&look, &material, &light, 1, LMB_MODEL_DIFFUSE, LMB_STEP_LINEAR) != LMB_ERROR_VALUE) return 9;
+    if (!LMB_WITH_GOURAUD && lmb_look_prepare(&look, &material, &light, 1, LMB_MODEL_GOURAUD, LMB_STEP_LINEAR) != LMB_ERROR_VALUE) return 10;
+    if (!LMB_WITH_GLOSS && lmb_look_prepare(&look, &material, &light, 1, LMB_MODEL_GLOSS, LMB_STEP_LINEAR) != LMB_ERROR_VALUE) return 11;
+    if (!LMB_WITH_QUADRATIC && lmb_look_prepare(&look, &material, &light, 1, MODEL, LMB_STEP_QUADRATIC) != LMB_ERROR_VALUE) return 12;
     if (!LMB_WITH_CORNERS && lmb_look_prepare(&look, &material, &light, 1, LMB_MODEL_FLAT, LMB_STEP_LINEAR) != LMB_ERROR_VALUE) return 2;
     if (!LMB_WITH_PERSPECTIVE && lmb_camera_perspective(&camera, 240, 240, 240 * 65536L, 65536L, 8 * 65536L) != LMB_ERROR_VALUE) return 3;
     if (lmb_camera_orthographic(&camera, 240, 240, 110 * 65536L, 65536L, 8 * 65536L)) return 4;
-    if (lmb_look_prepare(&look, &material, &light, 1, LMB_MODEL_GLOSS, LMB_STEP_QUADRATIC)) return 5;
+    if (lmb_look_prepare(&look, &material, &light, 1, MODEL, STEP)) return 5;
     lmb_paint_prepare(&paint, &look, format);
     lmb_surface_strip(&surface, format, frame, NULL, 240, 0, 240);
     lmb_clear(&surface, night);
@@ -50,7 +61,7 @@ draw() {
 }
 
 draw full565 5 && draw full888 8 || { echo "FAIL configurations: the full one does not draw"; exit 1; }
-for left_out in ARC CORNERS PERSPECTIVE DEPTH LARGE LOBES RAMPS RGB888 RGB565; do
+for left_out in ARC PLANS DIFFUSE CORNERS GOURAUD PERSPECTIVE DEPTH LARGE LOBES RAMPS RGB888 RGB565; do
     format=5 full=full565
     [ $left_out = RGB565 ] && format=8 full=full888
     if why=$(draw lean $format "-DLMB_WITH_$left_out=0") && cmp -s "$work/lean" "$work/$full"; then
@@ -60,8 +71,26 @@ for left_out in ARC CORNERS PERSPECTIVE DEPTH LARGE LOBES RAMPS RGB888 RGB565; d
         status=1
     fi
 done
+# What a model does not need may go, and what is left draws as before.
+# alike NAME DRAWN DEFINE...: the frame of DRAWN, without and with DEFINE
+alike() {
+    what=$1 drawn=$2
+    shift 2
+    # shellcheck disable=SC2086
+    if why=$(draw with 5 $drawn && draw lean 5 $drawn "$@") && cmp -s "$work/lean" "$work/with"; then
+        echo "pass configurations: $what alone draws as it does among all"
+    else
+        echo "FAIL configurations: $what alone: ${why:-another frame}"
+        status=1
+    fi
+}
+alike flat "-DMODEL=LMB_MODEL_FLAT -DSTEP=LMB_STEP_LINEAR" -DLMB_WITH_DIFFUSE=0 -DLMB_WITH_GLOSS=0 -DLMB_WITH_GOURAUD=0
+alike Gouraud "-DMODEL=LMB_MODEL_GOURAUD -DSTEP=LMB_STEP_LINEAR" -DLMB_WITH_DIFFUSE=0 -DLMB_WITH_GLOSS=0 -DLMB_WITH_QUADRATIC=0
+alike diffuse "-DMODEL=LMB_MODEL_DIFFUSE" -DLMB_WITH_GLOSS=0 -DLMB_WITH_CORNERS=0
+alike "linear gloss" -DSTEP=LMB_STEP_LINEAR -DLMB_WITH_QUADRATIC=0 -DLMB_WITH_DIFFUSE=0
+alike "planned gloss" -DSTEP=LMB_STEP_PLANNED -DLMB_WITH_DIFFUSE=0 -DLMB_WITH_CORNERS=0
 all="-DLMB_LIGHTS=1 -DLMB_WITH_ARC=0 -DLMB_WITH_CORNERS=0 -DLMB_WITH_PERSPECTIVE=0 -DLMB_WITH_DEPTH=0 -DLMB_WITH_LARGE=0
-    -DLMB_WITH_LOBES=0 -DLMB_WITH_RGB888=0"
+    -DLMB_WITH_LOBES=0 -DLMB_WITH_PLANS=0 -DLMB_WITH_DIFFUSE=0 -DLMB_WITH_RGB888=0"
 # shellcheck disable=SC2086
 if why=$(draw leanest 5 $all) && cmp -s "$work/leanest" "$work/full565"; then
     echo "pass configurations: the leanest, whose flash is measured, draws the same frame"

@@ -144,7 +144,7 @@ static int part_differs(const memory *whole, const memory *part)
 }
 
 static const char *const model_names[] = {"flat", "gouraud", "diffuse", "gloss"};
-static const char *const step_names[] = {"linear", "quadratic", "arc"};
+static const char *const step_names[] = {"linear", "quadratic", "arc", "planned"};
 
 /* A frame whole and in strips of every height, and in windows of any size, one light and several, with depth and without, corners
  * projected before or not: the same bytes. */
@@ -310,10 +310,10 @@ static void test_no_specular(test_random *random)
         lmb_window w = window_of(0, 0, FRAME_W, FRAME_H);
         for (k = 0; k < n; k++) light[k] = random_light(random);
         shot_set(random, &s, &ball, i & 1, 3, 6);
-        if (lmb_look_prepare(&s.look, &material, light, n, LMB_MODEL_GLOSS, (enum lmb_step_kind)(i % 3)) != 0) abort();
+        if (lmb_look_prepare(&s.look, &material, light, n, LMB_MODEL_GLOSS, (enum lmb_step_kind)(i % 4)) != 0) abort();
         shot_draw(&s, &gloss, i / 3 & 1, w, 0, false, false);
         differ += s.look.specular_on != 0;
-        if (lmb_look_prepare(&s.look, &material, light, n, LMB_MODEL_DIFFUSE, (enum lmb_step_kind)(i % 3)) != 0) abort();
+        if (lmb_look_prepare(&s.look, &material, light, n, LMB_MODEL_DIFFUSE, (enum lmb_step_kind)(i % 4)) != 0) abort();
         shot_draw(&s, &diffuse, i / 3 & 1, w, 0, false, false);
         differ += part_differs(&gloss, &diffuse);
     }
@@ -411,7 +411,7 @@ int main(int argc, char **argv)
 {
     test_random random = test_seed(argc, argv);
     int i;
-    for (i = 0; i < 24; i++) test_strips(&random, i / 6, i / 2 % 3, i & 1);
+    for (i = 0; i < 32; i++) test_strips(&random, i / 8, i / 2 % 4, i & 1);
     for (i = 0; i < 16; i++) test_levels(&random, i / 4, i & 1, i >> 1 & 1);
     test_no_specular(&random);
     for (i = 0; i < 2; i++) test_closed(&random, i);

@@ -69,7 +69,7 @@ static void random_normals(test_random *random, drawing *d)
 {
     const double spread = exp(test_real(random, log(0.01), log(1.5)));
     const lmb_vec half = d->rays.light[0].half, light = d->light[0].direction;
-    const bool edge = one_in(random, 4);
+    const bool edge = one_in(random, 4), level = one_in(random, 8); /* one normal */
     const lmb_vec axis = edge ? grazing(random, light) : one_in(random, 2) ? half : random_unit(random);
     int i, first = (int)test_integer(random, 0, 2);
     for (i = 0; i < 3; i++) {
@@ -80,6 +80,7 @@ static void random_normals(test_random *random, drawing *d)
                                 axis.z + part * off.z + up * light.z);
         if (one_in(random, 20)) d->s.v[i].normal = grazing(random, light);
         if (one_in(random, 20)) d->s.v[i].normal = half;
+        if (level) d->s.v[i].normal = d->s.v[0].normal;
         d->s.v[i].depth = (uint16_t)test_next(random);
         if (one_in(random, 4)) d->s.v[i].depth = one_in(random, 2) ? 0 : 65535;
     }
@@ -275,7 +276,7 @@ static uint32_t compare(const drawing *d, size_t spare, verdict *v)
 }
 
 static const char *const model_names[] = {"flat", "gouraud", "diffuse", "gloss"};
-static const char *const step_names[] = {"linear", "quadratic", "arc"};
+static const char *const step_names[] = {"linear", "quadratic", "arc", "planned"};
 
 static void test_rows(test_random *random, int format, int model, int step, bool several)
 {
@@ -373,6 +374,6 @@ int main(int argc, char **argv)
     test_random random = test_seed(argc, argv);
     int i;
     test_known();
-    for (i = 0; i < 48; i++) test_rows(&random, i & 1, i / 4 % 4, i / 16, i >> 1 & 1);
+    for (i = 0; i < 64; i++) test_rows(&random, i & 1, i / 4 % 4, i / 16, i >> 1 & 1);
     return test_end();
 }

@@ -43,21 +43,24 @@ static void pair_make(test_random *r, pair *p, double spread)
     }
 }
 
-/* A term of a span at a real number of pixels from its first: planes and curves are polynomials; arcs are taken through the three
+/* A term of a span at a real number of pixels from its first: planes and curves are polynomials, arcs sinusoids, taken on from the two
  * pixels at that end. */
 static double term_at(const lmb_span *span, lmb_term term, double n)
 {
-    double f[3];
+    const lmb_arc *arc = &span->arc;
+    double f[2] = {0, 0}, phi;
     int i, first = 0;
     if (span->kind == LMB_SPAN_FLAT) return term.f / 1073741824.0;
     if (span->kind == LMB_SPAN_PLANE) return (term.f + n * term.d + n * (n - 1) / 2 * term.c) / 1073741824.0;
-    if (n > 1) first = span->length - 3;
-    for (i = -first; i < 3; i++) {
+    if (n > 1) first = span->length - 2;
+    for (i = -first; i < 2; i++) {
         if (i >= 0) f[i] = term.f / 1073741824.0;
-        lmb_arc_step(&span->arc, &term);
+        lmb_arc_step(arc, &term);
     }
     n -= first;
-    return f[0] * (n - 1) * (n - 2) / 2 - f[1] * n * (n - 2) + f[2] * n * (n - 1) / 2;
+    phi = 2 * asin(sqrt(ldexp(arc->kappa, -13 - arc->kappa_shift - arc->guard)) / 2);
+    if (phi < 1e-9) return f[0] + n * (f[1] - f[0]);
+    return (f[0] * sin((1 - n) * phi) + f[1] * sin(n * phi)) / sin(phi);
 }
 
 static double clamped(double x) { return fmin(fmax(x, 0), 1); }
@@ -145,6 +148,18 @@ int main(int argc, char **argv)
         {LMB_MODEL_GLOSS, LMB_STEP_ARC, 0, 16, 0.4, 1.0 / 255, "seam_arc"},
         {LMB_MODEL_GLOSS, LMB_STEP_ARC, LMB_TOLERANCE_RGB888, 100, 0.3, 1.0 / 255, "seam_arc_888"},
         {LMB_MODEL_GLOSS, LMB_STEP_ARC, LMB_TOLERANCE_RGB565, 16, 0.3, 1.0 / 63, "seam_arc_565"},
+        {LMB_MODEL_GLOSS, LMB_STEP_PLANNED, LMB_TOLERANCE_RGB888, 16, 0.2, 2 * LMB_TOLERANCE_RGB888 / 65536.0,
+         "seam_planned_888"},
+        {LMB_MODEL_GLOSS, LMB_STEP_PLANNED, LMB_TOLERANCE_RGB888, 100, 0.1, 2 * LMB_TOLERANCE_RGB888 / 65536.0,
+         "seam_planned_888"},
+        {LMB_MODEL_GLOSS, LMB_STEP_PLANNED, LMB_TOLERANCE_RGB888, 100, 0.3, 2 * LMB_TOLERANCE_RGB888 / 65536.0,
+         "seam_planned_888"},
+        {LMB_MODEL_GLOSS, LMB_STEP_PLANNED, LMB_TOLERANCE_RGB565, 16, 0.3, 2 * LMB_TOLERANCE_RGB565 / 65536.0,
+         "seam_planned_565"},
+        {LMB_MODEL_GLOSS, LMB_STEP_PLANNED, LMB_TOLERANCE_RGB565, 100, 0.15, 2 * LMB_TOLERANCE_RGB565 / 65536.0,
+         "seam_planned_565"},
+        {LMB_MODEL_GLOSS, LMB_STEP_PLANNED, LMB_TOLERANCE_RGB565, 100, 0.5, 2 * LMB_TOLERANCE_RGB565 / 65536.0,
+         "seam_planned_565"},
     };
     test_random r = test_seed(argc, argv);
     unsigned i;

@@ -9,7 +9,7 @@
 
 #include "levels.h"
 
-#define GOURAUD_ROWS (LMB_WITH_CORNERS && LMB_LOOPS)
+#define GOURAUD_ROWS (LMB_WITH_GOURAUD && LMB_LOOPS)
 
 /* What sums gain from one pixel to the next, all over a triangle. */
 typedef struct corner_steps {

@@ -82,7 +82,7 @@ static void light_pixel(uint32_t sum[3], const lmb_look *look, const lmb_paint *
 {
     if (lmb_bit(span->diffuse_on, i)) add_light(sum, paint->light[i].diffuse, intensity(diffuse->f));
     if (lmb_bit(span->specular_on, i)) {
-        if (look->model != LMB_MODEL_GLOSS) {
+        if (!LMB_WITH_GLOSS || look->model != LMB_MODEL_GLOSS) {
             add_light(sum, paint->light[i].specular, intensity(specular->f));
         } else {
             const int32_t argument = argument_of(specular, span->kind == LMB_SPAN_ARC);
@@ -132,13 +132,13 @@ static void store_as(const lmb_surface *surface, uint8_t *pixel, const uint32_t 
     }
 }
 
-/* One colour: the triangle is flat, or no light reaches it. */
-static void solid(const lmb_surface *surface, const lmb_look *look, const lmb_paint *paint, const lmb_span *span, uint8_t *pixel,
-                  uint32_t n)
+/* One colour: the triangle is flat, its terms are constant, or no light reaches it. */
+static void solid(const lmb_surface *surface, const lmb_look *look, const lmb_paint *paint, const lmb_span *span,
+                  const terms *now, uint8_t *pixel, uint32_t n)
 {
     uint32_t sum[3] = {paint->ambient[0], paint->ambient[1], paint->ambient[2]};
     const unsigned step = lmb_format_bytes((enum lmb_format)surface->format);
-    if (LMB_WITH_CORNERS) all_lights(sum, surface->format, look, paint, span, span->diffuse, span->specular);
+    all_lights(sum, surface->format, look, paint, span, now->diffuse, now->specular);
     for (; n > 0; n--, pixel += step) store_as(surface, pixel, sum);
 }
 
@@ -159,7 +159,7 @@ static void general_run(const lmb_surface *surface, const lmb_look *look, const 
 static ALWAYS_INLINE void one_light_run(const lmb_paint *paint, const lmb_span *span, uint8_t *pixel, uint32_t n, terms *now,
                                         int format)
 {
-    const bool arc = LMB_WITH_ARC && span->kind == LMB_SPAN_ARC, lit = !LMB_LOOPS || span->specular_on;
+    const bool arc = LMB_WITH_ARC && span->kind == LMB_SPAN_ARC, lit = LMB_WITH_GLOSS && (!LMB_LOOPS || span->specular_on);
     if (arc && lit) {
         one_light(paint, span, pixel, n, now, format, true, true);
     } else if (arc) {
@@ -198,9 +198,10 @@ static void ramp_run(const lmb_paint *paint, const lmb_span *span, uint16_t *pix
     const unsigned shift = (unsigned)(GLEAM_SHIFT - (span->specular_on ? span->exponent[0] : 0));
     if (LMB_WITH_ARC && span->kind == LMB_SPAN_ARC) {
         arc_diffuse(paint, &span->arc, pixel, n, &now->diffuse[0]);
-        if (!span->specular_on || (n == span->length && arc_stays_dark(&span->arc, &now->specular[0], n))) return;
+        if (!LMB_WITH_GLOSS || !span->specular_on || (n == span->length && arc_stays_dark(&span->arc, &now->specular[0], n)))
+            return;
         arc_gleam(paint, &span->arc, pixel, n, &now->specular[0], shift);
-    } else if (!LMB_LOOPS || span->specular_on) {
+    } else if (LMB_WITH_GLOSS && (!LMB_LOOPS || span->specular_on)) {
         plane_lit(paint, pixel, n, &now->diffuse[0], &now->specular[0], shift);
     } else {
         plain_run(paint->ramp, pixel, n, &now->diffuse[0], RAMP_UNEVEN, false);
@@ -216,18 +217,27 @@ static void ramp_run(const lmb_paint *paint, const lmb_span *span, uint16_t *pix
 
 #endif
 
+/* Whether no term changes along a span. One that is not on is zero. */
+static bool is_level(const lmb_look *look, const lmb_span *span, const terms *now)
+{
+    int32_t any = 0;
+    unsigned i;
+    if (span->kind != LMB_SPAN_PLANE) return span->kind == LMB_SPAN_FLAT;
+    for (i = 0; i < lmb_look_lights(look); i++)
+        any |= now->diffuse[i].d | now->diffuse[i].c | now->specular[i].d | now->specular[i].c;
+    return any == 0;
+}
+
 /* A run of pixels that are seen. */
 static void run(const lmb_surface *surface, const lmb_paint *paint, const lmb_span *span, uint8_t *pixel, uint32_t n, terms *now)
 {
-    if (lmb_paint_is_simple(paint)) {
-        if (is_rgb565(surface)) {
-            ramp_run(paint, span, (uint16_t *)(void *)pixel, n, now);
-        } else {
-            one_light_run(paint, span, pixel, n, now, LMB_RGB888);
-        }
-    } else if ((LMB_WITH_CORNERS && span->kind == LMB_SPAN_FLAT) || !(span->diffuse_on | span->specular_on)) {
-        solid(surface, &paint->look, paint, span, pixel, n);
-    } else {
+    if (is_rgb565(surface) && lmb_paint_is_simple(paint)) {
+        ramp_run(paint, span, (uint16_t *)(void *)pixel, n, now);
+    } else if (is_level(&paint->look, span, now)) {
+        solid(surface, &paint->look, paint, span, now, pixel, n);
+    } else if (lmb_paint_is_simple(paint)) {
+        one_light_run(paint, span, pixel, n, now, LMB_RGB888);
+    } else if (LMB_WITH_PIXELS || LMB_WITH_GOURAUD) {
         general_run(surface, &paint->look, paint, span, pixel, n, now);
     }
 }

@@ -29,6 +29,10 @@ LMB_STATIC_ASSERT(LMB_WITH_RGB565 + LMB_WITH_RGB888 >= 1);
 #ifndef LMB_WITH_RAMPS
 #define LMB_WITH_RAMPS 1
 #endif
+#if !LMB_WITH_PIXELS
+#undef LMB_WITH_RAMPS
+#define LMB_WITH_RAMPS 0
+#endif
 
 enum lmb_format { LMB_RGB565, LMB_RGB888 };
 
@@ -70,7 +74,7 @@ void lmb_clear(const lmb_surface *surface, lmb_rgb colour);
 #define LMB_RAMP 64
 #define LMB_RAMP_TOP (LMB_WITH_RGB565 ? 72 : 1)
 #define LMB_GLEAM 256
-#define LMB_GLEAM_TOP (LMB_WITH_RGB565 ? 288 : 1)
+#define LMB_GLEAM_TOP (LMB_WITH_RGB565 && LMB_WITH_GLOSS ? 288 : 1)
 
 /* A look in the colours of a format, prepared once: what is drawn is drawn with it. Fields may change without notice. */
 typedef struct lmb_paint {
@@ -87,8 +91,15 @@ typedef struct lmb_paint {
     } light[LMB_LIGHTS];
 } lmb_paint;
 
-/* Prepares a paint; the look may go afterwards. Sets the look's tolerance to a quarter of a level of the format. */
-void lmb_paint_prepare(lmb_paint *paint, const lmb_look *look, enum lmb_format format);
+/* Prepares a paint; the look may go afterwards. Sets the look's tolerance (lmb_look_tolerance): where more than the format's quarter of a
+ * level may be wrong frames are cheaper. Ramps have 64 steps of N.L, so that plans take less than LMB_TOLERANCE_RGB565 as that. */
+void lmb_paint_within(lmb_paint *paint, const lmb_look *look, enum lmb_format format, uint16_t tolerance);
+
+/* The same with a quarter of a level of the format: what is left out cannot be seen. */
+static inline void lmb_paint_prepare(lmb_paint *paint, const lmb_look *look, enum lmb_format format)
+{
+    lmb_paint_within(paint, look, format, lmb_format_bytes(format) == 2 ? LMB_TOLERANCE_RGB565 : LMB_TOLERANCE_RGB888);
+}
 
 /* Stores the pixels of one span, which must lie in the surface's window. The surface has the paint's format. */
 void lmb_fill_span(const lmb_surface *surface, const lmb_paint *paint, const lmb_span *span);

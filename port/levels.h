@@ -109,7 +109,7 @@ static ALWAYS_INLINE uint8_t *row_of(const lmb_surface *surface, int32_t y)
 /* One light that is reckoned for each pixel: what ramps serve. */
 static ALWAYS_INLINE bool lmb_paint_is_simple(const lmb_paint *paint)
 {
-    return lmb_look_lights(&paint->look) == 1 && (!LMB_WITH_CORNERS || paint->look.model >= LMB_MODEL_DIFFUSE);
+    return LMB_WITH_PIXELS && lmb_look_lights(&paint->look) == 1 && (!LMB_WITH_CORNERS || paint->look.model >= LMB_MODEL_DIFFUSE);
 }
 
 /* Three sums as an RGB565 pixel. */

@@ -38,13 +38,12 @@ static uint16_t highlight_step(const lmb_look *look, int32_t i)
 }
 
 #if LMB_WITH_RAMPS
-LMB_STATIC_ASSERT(LMB_RAMP_TOP <= LMB_GLEAM_TOP);
 static LMB_OUTLINE void ramps(lmb_paint *paint, const lmb_look *look)
 {
     int32_t i;
-    for (i = 0; i < LMB_GLEAM_TOP; i++) {
+    for (i = 0; i < lmb_max(LMB_RAMP_TOP, LMB_GLEAM_TOP); i++) {
         if (i < LMB_RAMP_TOP) paint->ramp[i] = colour_step(look, i);
-        paint->ramp[LMB_RAMP_TOP + i] = highlight_step(look, i);
+        if (LMB_WITH_GLOSS && i < LMB_GLEAM_TOP) paint->ramp[LMB_RAMP_TOP + i] = highlight_step(look, i);
     }
 }
 #else
@@ -74,14 +73,18 @@ static void coefficients(lmb_paint *paint, int format)
     }
 }
 
-void lmb_paint_prepare(lmb_paint *paint, const lmb_look *look, enum lmb_format format)
+void lmb_paint_within(lmb_paint *paint, const lmb_look *look, enum lmb_format format, uint16_t tolerance)
 {
     int known = lmb_format_bytes(format) == 2 ? LMB_RGB565 : LMB_RGB888; /* a constant where one is built in */
+    bool ramped;
     paint->look = *look;
     paint->format = (uint8_t)known;
-    paint->ramped = known == LMB_RGB565 && lmb_paint_is_simple(paint);
-    lmb_look_tolerance(&paint->look, known == LMB_RGB565 ? LMB_TOLERANCE_RGB565 : LMB_TOLERANCE_RGB888);
-    if (known == LMB_RGB565 && lmb_paint_is_simple(paint)) {
+    ramped = known == LMB_RGB565 && lmb_paint_is_simple(paint);
+    paint->ramped = ramped;
+    if (LMB_WITH_PLANS && ramped && look->step == LMB_STEP_PLANNED && tolerance < LMB_TOLERANCE_RGB565)
+        tolerance = LMB_TOLERANCE_RGB565;
+    lmb_look_tolerance(&paint->look, tolerance);
+    if (ramped) {
         if (LMB_WITH_LOBES) lmb_look_ramp(&paint->look);
         ramps(paint, &paint->look);
     } else {

@@ -250,7 +250,8 @@ static ALWAYS_INLINE void fill_rows(const lmb_surface *surface, const lmb_paint 
 
 /* -------------------------------------------------------------------------------------------------------------- one colour */
 
-#if LMB_WITH_CORNERS || (LMB_LOOPS && LMB_WITH_RAMPS)
+#define SOLIDS (LMB_WITH_CORNERS || LMB_WITH_PLANS)
+#if SOLIDS || (LMB_LOOPS && LMB_WITH_RAMPS)
 
 static NOINLINE void fill_solid_any(const lmb_surface *surface, lmb_triangle *t, uint16_t colour)
 {
@@ -279,7 +280,7 @@ static void fill_solid(const lmb_surface *surface, lmb_triangle *t, uint16_t col
 
 #endif
 
-#if LMB_WITH_CORNERS
+#if SOLIDS
 
 /* The colour of a flat triangle, whose terms are lit. */
 static uint16_t flat_colour(const lmb_paint *paint, const lmb_triangle *t)
@@ -292,6 +293,21 @@ static uint16_t flat_colour(const lmb_paint *paint, const lmb_triangle *t)
         saturate(sum, LMB_RGB565);
     }
     return STORE_ORDER(pixel_of_565(sum));
+}
+
+/* The colour of a triangle whose terms are constant, of one light that is reckoned for each pixel. */
+static uint16_t level_colour(const lmb_paint *paint, const lmb_triangle *t)
+{
+    const int32_t diffuse = t->diffuse_on ? t->u.light[0].diffuse.f : 0;
+    if (!t->specular_on) return pixel_565(paint, diffuse, 0, 0);
+    return pixel_565(paint, diffuse, t->u.light[0].specular.f, (unsigned)(GLEAM_SHIFT - t->exponent[0]));
+}
+
+/* Whether all of a triangle has one colour that is told at once. */
+static bool is_solid(const lmb_paint *paint, const lmb_triangle *t)
+{
+    if (lmb_paint_is_simple(paint)) return t->kind == LMB_SPAN_FLAT;
+    return !(t->diffuse_on | t->specular_on) || (LMB_WITH_CORNERS && paint->look.model == LMB_MODEL_FLAT);
 }
 
 #endif
@@ -478,7 +494,7 @@ static void fill_simple(const lmb_surface *surface, const lmb_paint *paint, lmb_
     const bool low = t->low >> (RAMP_SHIFT - 2) < 1;
     if (!t->diffuse_on && !t->specular_on) {
         fill_solid(surface, t, STORE_ORDER(paint->ramp[0]));
-    } else if (t->specular_on) {
+    } else if (LMB_WITH_GLOSS && t->specular_on) {
         if (!t->diffuse_on) t->u.light[0].diffuse = none;
         fill_highlight(surface, paint, t, even, low, ramp);
     } else {
@@ -492,10 +508,14 @@ static void fill_simple(const lmb_surface *surface, const lmb_paint *paint, lmb_
 static void fill_simple(const lmb_surface *surface, const lmb_paint *paint, lmb_triangle *t)
 {
     static const lmb_plane none = {0, 0, 0, 0, 0, 0};
-    const filling how = {
-        .diffuse = true, .specular = true, .ramp = RAMP_UNEVEN, .scaled = true, .saturates = true, .depth = DEPTH_MAYBE};
+    const filling how = {.diffuse = true,
+                         .specular = LMB_WITH_GLOSS,
+                         .ramp = RAMP_UNEVEN,
+                         .scaled = true,
+                         .saturates = true,
+                         .depth = DEPTH_MAYBE};
     if (!t->diffuse_on) t->u.light[0].diffuse = none;
-    if (!t->specular_on) {
+    if (LMB_WITH_GLOSS && !t->specular_on) {
         t->u.light[0].specular = none;
         t->exponent[0] = 0;
     }
@@ -509,7 +529,7 @@ static bool is_ramped(const lmb_paint *paint)
 {
     return paint->ramped || (LMB_WITH_RGB565 && !LMB_WITH_RGB888 && LMB_LIGHTS == 1 && !LMB_WITH_CORNERS);
 }
-static bool is_plane(const lmb_triangle *t) { return t->kind == LMB_SPAN_PLANE || (!LMB_WITH_ARC && !LMB_WITH_CORNERS); }
+static bool is_plane(const lmb_triangle *t) { return t->kind == LMB_SPAN_PLANE || (!LMB_WITH_ARC && !SOLIDS); }
 
 #endif
 
@@ -525,10 +545,10 @@ static void fill_spans(const lmb_surface *surface, const lmb_paint *paint, lmb_t
 /* All but ramps; out of line, as it takes more stack than these. */
 static NOINLINE void fill_others(const lmb_surface *surface, const lmb_paint *paint, lmb_triangle *t)
 {
-#if LMB_WITH_RGB565 && LMB_WITH_CORNERS
+#if LMB_WITH_RGB565 && SOLIDS
     if (is_rgb565(surface)) {
-        if (t->kind == LMB_SPAN_FLAT || !(t->diffuse_on | t->specular_on | lmb_paint_is_simple(paint))) {
-            fill_solid(surface, t, flat_colour(paint, t));
+        if (is_solid(paint, t)) {
+            fill_solid(surface, t, lmb_paint_is_simple(paint) ? level_colour(paint, t) : flat_colour(paint, t));
             return;
         }
 #if GOURAUD_ROWS

@@ -211,12 +211,12 @@ static void draw(unsigned i, enum lmb_model model, enum lmb_step_kind step, enum
 /* The sphere, which takes its time, with one kind of step for each view; the cube with all. */
 static void digest_frames(enum lmb_model model, const char *name)
 {
-    static const uint8_t first[VIEWS] = {LMB_STEP_QUADRATIC, 0, LMB_STEP_ARC, 0, LMB_STEP_LINEAR, 0, 0};
+    static const uint8_t first[VIEWS] = {LMB_STEP_PLANNED, 0, LMB_STEP_ARC, 0, LMB_STEP_LINEAR, 0, 0};
     unsigned i, step;
     start();
     for (i = 0; i < VIEWS; i++) {
         const bool sphere = !(i & 1) && i != VIEWS - 1;
-        for (step = first[i]; step <= (sphere ? first[i] : LMB_STEP_ARC); step++) {
+        for (step = first[i]; step <= (sphere ? first[i] : LMB_STEP_PLANNED); step++) {
             draw(i, model, (enum lmb_step_kind)step, (i + step) & 2 ? LMB_RGB888 : LMB_RGB565);
         }
     }
