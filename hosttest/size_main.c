@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* What size.sh weighs and stack.sh follows: a program that draws one mesh, with and without the library. Never run.
  * SIZE_EMPTY leaves the library out, SIZE_EVERYTHING calls all that draws; otherwise SIZE_MODEL, SIZE_STEP and SIZE_FORMAT say
- * what is drawn. */
+ * what is drawn, SIZE_PROJECT that vertices are projected once, SIZE_PERSPECTIVE and SIZE_SORT what is called as well. */
 #include "../port/fill.h"
 
 /* What compilers call for block copies; plain loops, so that they count as they would with any small libc. The empty statement
@@ -76,7 +76,18 @@ int main(void)
     lmb_mesh_sort(in.mesh, in.pose, in.order, in.keys);
     draw((enum lmb_model)in.choice, (enum lmb_step_kind)in.choice, (enum lmb_format)in.choice, &camera, in.vertices, in.order);
 #else
+#if defined(SIZE_PERSPECTIVE)
+    lmb_camera_perspective(&camera, 240, 240, 110L << 16, 1L << 16, 8L << 16);
+#endif
+#if defined(SIZE_SORT)
+    lmb_mesh_sort(in.mesh, in.pose, in.order, in.keys);
+#endif
+#if defined(SIZE_PROJECT)
+    lmb_mesh_project(in.mesh, in.pose, &camera, in.vertices);
+    draw(SIZE_MODEL, SIZE_STEP, SIZE_FORMAT, &camera, in.vertices, in.order);
+#else
     draw(SIZE_MODEL, SIZE_STEP, SIZE_FORMAT, &camera, NULL, NULL);
+#endif
 #endif
 #endif
     return in.choice;
