@@ -81,6 +81,31 @@ int oiio_compare(const uint8_t *a, const uint8_t *b, int width, int height, int 
     return 0;
 }
 
+namespace {
+
+// Light in proportion, as floats: IEC 61966-2-1.
+ImageBuf light_of(const uint8_t *rgb, int width, int height)
+{
+    ImageBuf light = algo::copy(over(rgb, width, height), OIIO::TypeDesc::FLOAT);
+    for (ImageBuf::Iterator<float> p(light); !p.done(); ++p) {
+        for (int c = 0; c < 3; c++) {
+            const float level = p[c];
+            p[c] = level <= 0.04045f ? level / 12.92f : std::pow((level + 0.055f) / 1.055f, 2.4f);
+        }
+    }
+    return light;
+}
+
+}  // namespace
+
+int oiio_perceptual(const uint8_t *a, const uint8_t *b, int width, int height)
+{
+    const ImageBuf first = light_of(a, width, height), second = light_of(b, width, height);
+    algo::CompareResults result;
+    const int seen = algo::compare_Yee(first, second, result);
+    return first.has_error() || second.has_error() ? -1 : seen;
+}
+
 int oiio_amplify(const uint8_t *a, const uint8_t *b, int width, int height, int gain, enum oiio_look look, uint8_t *out)
 {
     ImageBuf first = over(a, width, height), second = over(b, width, height);

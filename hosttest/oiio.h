@@ -26,6 +26,11 @@ typedef struct oiio_difference {
 /* Compares two pictures of the same size; tolerance in levels. Returns 0 or -1. */
 int oiio_compare(const uint8_t *a, const uint8_t *b, int width, int height, int tolerance, oiio_difference *out);
 
+/* How many pixels someone would tell apart: Yee's model of the eye (Yee, Pattanaik and Greenberg 2001) at what OpenImageIO and
+ * `idiff -p` take by default, a display of 100 cd/m2 seen under 45 degrees. Levels are taken as sRGB's, since the model wants light.
+ * Returns -1 if it cannot. */
+int oiio_perceptual(const uint8_t *a, const uint8_t *b, int width, int height);
+
 /* The difference times gain: OFFSET shows (a - b) about the middle grey 128, ABSOLUTE shows |a - b|. Returns 0 or -1. */
 enum oiio_look { OIIO_OFFSET, OIIO_ABSOLUTE };
 int oiio_amplify(const uint8_t *a, const uint8_t *b, int width, int height, int gain, enum oiio_look look, uint8_t *out);

@@ -44,21 +44,11 @@ static void draw_row(int row, const scene *s)
     ref_drawn_end(&drawn);
 }
 
-static bool find_scene(scene *s, const char *name)
-{
-    unsigned i;
-    for (i = 0; i < scene_count(); i++) {
-        scene_make(s, i);
-        if (!strcmp(s->name, name)) return s->width == SIDE && s->height == SIDE;
-    }
-    return false;
-}
-
 int main(int argc, char **argv)
 {
     scene s;
     FILE *file;
-    if (argc != 2 || !find_scene(&s, "torus")) {
+    if (argc != 2 || !demo_scene(&s, "torus") || s.width != SIDE || s.height != SIDE) {
         fprintf(stderr, "usage: picture_arc OUT.ppm\n");
         return 2;
     }

@@ -10,6 +10,10 @@
  *                     normalised at the pixel. What the method costs
  *   true_surface      the sphere or torus behind the mesh, met by the same ray, with its own normal. What the mesh costs
  *
+ * and, of the first, what every choice of model, step and lobe is chosen against:
+ *
+ *   exact             normals that turn evenly along edges and along each row, and the power itself
+ *
  * Only same_model shares anything with the library: lmb_mesh_project, since coverage is to be identical.
  */
 #ifndef LMB_REFERENCE_H
@@ -102,6 +106,7 @@ void ref_frame_add(ref_frame *frame, int x, int y, double depth, const double rg
 /* The references. Each begins a frame, which ref_frame_end releases; memory that is short ends the program. true_surface returns
  * false, and begins nothing, if an object of the scene has no surface but its mesh. */
 void ref_same_model(ref_frame *frame, const scene *s, enum lmb_model model, enum lmb_step_kind step);
+void ref_exact(ref_frame *frame, const scene *s, bool highlight);
 void ref_normalised_phong(ref_frame *frame, const scene *s, bool highlight);
 bool ref_true_surface(ref_frame *frame, const scene *s, bool highlight);
 
@@ -125,12 +130,9 @@ typedef struct ref_drawn {
     uint64_t shaded; /* what scene_pixels says of it */
 } ref_drawn;
 
-/* Draws a scene twice, over two backgrounds that differ in every channel: what shows neither was painted. */
-void ref_draw(ref_drawn *drawn, const scene *s, enum lmb_model model, enum lmb_step_kind step, enum lmb_format format);
-void ref_drawn_end(ref_drawn *drawn);
-
-/* The greatest level of a channel. */
+/* The greatest level of a channel; and pixels of levels as 8-bit RGB. */
 int ref_top(enum lmb_format format, int channel);
+void ref_visible(uint8_t *rgb, const uint8_t *levels, size_t pixels, enum lmb_format format);
 
 /* How far a drawn frame is from a reference, in levels of its format. */
 typedef struct ref_score {
@@ -148,15 +150,36 @@ typedef struct ref_score {
  * either has nothing. */
 void ref_judge(ref_score *score, const ref_frame *frame, const ref_drawn *drawn, uint8_t *levels);
 
-/* What frames are judged by name: a model and a step, or the scene's own step. The last is the scene's default once more. */
+/* What frames are judged by name: a model, a step, or the scene's own step, and a lobe. REF_GLOSS is the scene's default once more;
+ * behind it stand the lobes of paper 000, whose model has an error of its own. */
 typedef struct ref_variant {
     const char *name;
     enum lmb_model model;
     int step; /* -1: the scene's own */
+    enum lmb_lobe_kind lobe;
 } ref_variant;
 
-enum { REF_FLAT, REF_GOURAUD, REF_DIFFUSE, REF_GLOSS_LINEAR, REF_GLOSS_QUADRATIC, REF_GLOSS_ARC, REF_GLOSS, REF_VARIANTS };
+enum {
+    REF_FLAT,
+    REF_GOURAUD,
+    REF_DIFFUSE,
+    REF_GLOSS_LINEAR,
+    REF_GLOSS_QUADRATIC,
+    REF_GLOSS_ARC,
+    REF_GLOSS_PLANNED,
+    REF_GLOSS,
+    REF_GLOSS_W2,
+    REF_GLOSS_W4,
+    REF_GLOSS_W8,
+    REF_GLOSS_W16,
+    REF_VARIANTS
+};
 extern const ref_variant ref_variants[REF_VARIANTS];
 enum lmb_step_kind ref_step_of(const ref_variant *v, const scene *s);
+
+/* Draws a scene twice, over two backgrounds that differ in every channel: what shows neither was painted. */
+void ref_draw(ref_drawn *drawn, const scene *s, enum lmb_model model, enum lmb_step_kind step, enum lmb_format format);
+void ref_draw_variant(ref_drawn *drawn, const scene *s, const ref_variant *v, enum lmb_format format);
+void ref_drawn_end(ref_drawn *drawn);
 
 #endif

@@ -8,13 +8,18 @@
 #include <string.h>
 
 const ref_variant ref_variants[REF_VARIANTS] = {
-    {"flat", LMB_MODEL_FLAT, -1},
-    {"gouraud", LMB_MODEL_GOURAUD, -1},
-    {"diffuse", LMB_MODEL_DIFFUSE, -1},
-    {"gloss-linear", LMB_MODEL_GLOSS, LMB_STEP_LINEAR},
-    {"gloss-quadratic", LMB_MODEL_GLOSS, LMB_STEP_QUADRATIC},
-    {"gloss-arc", LMB_MODEL_GLOSS, LMB_STEP_ARC},
-    {"gloss", LMB_MODEL_GLOSS, -1},
+    {"flat", LMB_MODEL_FLAT, -1, LMB_LOBE_TUNED},
+    {"gouraud", LMB_MODEL_GOURAUD, -1, LMB_LOBE_TUNED},
+    {"diffuse", LMB_MODEL_DIFFUSE, -1, LMB_LOBE_TUNED},
+    {"gloss-linear", LMB_MODEL_GLOSS, LMB_STEP_LINEAR, LMB_LOBE_TUNED},
+    {"gloss-quadratic", LMB_MODEL_GLOSS, LMB_STEP_QUADRATIC, LMB_LOBE_TUNED},
+    {"gloss-arc", LMB_MODEL_GLOSS, LMB_STEP_ARC, LMB_LOBE_TUNED},
+    {"gloss-planned", LMB_MODEL_GLOSS, LMB_STEP_PLANNED, LMB_LOBE_TUNED},
+    {"gloss", LMB_MODEL_GLOSS, -1, LMB_LOBE_TUNED},
+    {"gloss-w2", LMB_MODEL_GLOSS, -1, LMB_LOBE_W2},
+    {"gloss-w4", LMB_MODEL_GLOSS, -1, LMB_LOBE_W4},
+    {"gloss-w8", LMB_MODEL_GLOSS, -1, LMB_LOBE_W8},
+    {"gloss-w16", LMB_MODEL_GLOSS, -1, LMB_LOBE_W16},
 };
 
 enum lmb_step_kind ref_step_of(const ref_variant *v, const scene *s)
@@ -23,6 +28,15 @@ enum lmb_step_kind ref_step_of(const ref_variant *v, const scene *s)
 }
 
 int ref_top(enum lmb_format format, int channel) { return format == LMB_RGB888 ? 255 : channel == 1 ? 63 : 31; }
+
+void ref_visible(uint8_t *rgb, const uint8_t *levels, size_t pixels, enum lmb_format format)
+{
+    size_t i;
+    for (i = 0; i < 3 * pixels; i++) {
+        int top = ref_top(format, (int)(i % 3));
+        rgb[i] = (uint8_t)((levels[i] * 255 + top / 2) / top);
+    }
+}
 
 static void *room(size_t bytes)
 {
@@ -36,8 +50,23 @@ static void *room(size_t bytes)
 
 /* ----------------------------------------------------------------------------------------------------------------------- draw */
 
-static uint64_t draw_over(uint8_t *levels, scene s, lmb_rgb background, enum lmb_model model, enum lmb_step_kind step,
-                          enum lmb_format format)
+/* scene_draw with another lobe than the tuned one. */
+static void draw_lobe(const scene *s, const lmb_surface *surface, const ref_variant *v)
+{
+    unsigned i;
+    lmb_clear(surface, s->background);
+    for (i = 0; i < s->objects; i++) {
+        const scene_object *o = &s->object[i];
+        lmb_look look;
+        lmb_paint paint;
+        if (lmb_look_prepare(&look, &o->material, s->light, s->lights, v->model, ref_step_of(v, s))) return;
+        if (lmb_look_lobe(&look, v->lobe, 0)) return;
+        lmb_paint_prepare(&paint, &look, (enum lmb_format)surface->format);
+        lmb_draw_mesh(surface, o->mesh, &o->pose, &s->camera, &paint, NULL, NULL);
+    }
+}
+
+static uint64_t draw_over(uint8_t *levels, scene s, lmb_rgb background, const ref_variant *v, enum lmb_format format)
 {
     size_t pixels = (size_t)s.width * (size_t)s.height, i;
     uint8_t *bytes = room(pixels * lmb_format_bytes(format));
@@ -46,7 +75,11 @@ static uint64_t draw_over(uint8_t *levels, scene s, lmb_rgb background, enum lmb
     uint64_t shaded;
     s.background = background;
     lmb_surface_strip(&surface, format, bytes, depth, s.width, 0, s.height);
-    scene_draw(&s, &surface, model, step);
+    if (v->lobe == LMB_LOBE_TUNED) {
+        scene_draw(&s, &surface, v->model, ref_step_of(v, &s));
+    } else {
+        draw_lobe(&s, &surface, v);
+    }
     shaded = scene_pixels(&s, &surface.window);
     if (format == LMB_RGB888) memcpy(levels, bytes, pixels * 3);
     for (i = 0; i < pixels && format == LMB_RGB565; i++) {
@@ -60,7 +93,7 @@ static uint64_t draw_over(uint8_t *levels, scene s, lmb_rgb background, enum lmb
     return shaded;
 }
 
-void ref_draw(ref_drawn *drawn, const scene *s, enum lmb_model model, enum lmb_step_kind step, enum lmb_format format)
+void ref_draw_variant(ref_drawn *drawn, const scene *s, const ref_variant *v, enum lmb_format format)
 {
     static const lmb_rgb other = {237, 235, 229};
     size_t pixels = (size_t)s->width * (size_t)s->height, i;
@@ -70,10 +103,16 @@ void ref_draw(ref_drawn *drawn, const scene *s, enum lmb_model model, enum lmb_s
     drawn->format = format;
     drawn->levels = room(pixels * 3);
     drawn->painted = room(pixels * sizeof *drawn->painted);
-    drawn->shaded = draw_over(drawn->levels, *s, s->background, model, step, format);
-    draw_over(over, *s, other, model, step, format);
+    drawn->shaded = draw_over(drawn->levels, *s, s->background, v, format);
+    draw_over(over, *s, other, v, format);
     for (i = 0; i < pixels; i++) drawn->painted[i] = !memcmp(over + 3 * i, drawn->levels + 3 * i, 3);
     free(over);
+}
+
+void ref_draw(ref_drawn *drawn, const scene *s, enum lmb_model model, enum lmb_step_kind step, enum lmb_format format)
+{
+    const ref_variant v = {"", model, (int)step, LMB_LOBE_TUNED};
+    ref_draw_variant(drawn, s, &v, format);
 }
 
 void ref_drawn_end(ref_drawn *drawn)

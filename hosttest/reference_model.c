@@ -226,3 +226,8 @@ void ref_same_model(ref_frame *frame, const scene *s, enum lmb_model model, enum
     ref_frame_begin(frame, s, DEPTH_SLACK);
     for (i = 0; i < s->objects; i++) paint_object(frame, s, i, model, step);
 }
+
+void ref_exact(ref_frame *frame, const scene *s, bool highlight)
+{
+    ref_same_model(frame, s, highlight ? LMB_MODEL_GLOSS : LMB_MODEL_DIFFUSE, LMB_STEP_ARC);
+}

@@ -228,6 +228,16 @@ void hard_meshes_end(void)
 
 /* --------------------------------------------------------------------------------------------------------------------- scenes */
 
+bool demo_scene(scene *s, const char *name)
+{
+    unsigned i;
+    for (i = 0; i < scene_count(); i++) {
+        scene_make(s, i);
+        if (!strcmp(s->name, name)) return true;
+    }
+    return false;
+}
+
 void hard_light(scene *s, unsigned i, double x, double y, double z, lmb_rgb colour)
 {
     s->light[i].direction = rounded(unit(make(x, y, z)));

@@ -24,6 +24,9 @@ const lmb_mesh *hard_mesh(enum hard_mesh which);
 const char *hard_mesh_name(enum hard_mesh which);
 void hard_meshes_end(void);
 
+/* The demo scene of that name; false if there is none. */
+bool demo_scene(scene *s, const char *name);
+
 /* A scene of one object in the middle, four units away, of the default material, white light from (40, 55, 70), depth buffer,
  * orthographic: radius is how many pixels a unit is. */
 void hard_scene(scene *s, const char *name, int size, double radius, const lmb_mesh *mesh, lmb_matrix rotation);

@@ -26,19 +26,9 @@ static const char *failed_folder = "build/failed", *pictures_folder;
 static bool verbose;
 
 #define VARIANTS REF_GLOSS /* all but the scene's default, which is one of them */
-enum { ALL = (1 << VARIANTS) - 1, GLOSS = 7 << 3 };
+enum { ALL = (1 << VARIANTS) - 1, GLOSS = 15 << 3 };
 
 /* ------------------------------------------------------------------------------------------------------------------- pictures */
-
-/* Levels of any format as 8-bit RGB. */
-static void visible(uint8_t *rgb, const uint8_t *levels, size_t pixels, enum lmb_format format)
-{
-    size_t i;
-    for (i = 0; i < 3 * pixels; i++) {
-        int top = ref_top(format, (int)(i % 3));
-        rgb[i] = (uint8_t)((levels[i] * 255 + top / 2) / top);
-    }
-}
 
 /* Writes NAME_ours.png, NAME_reference.png and NAME_difference.png; note names them. */
 static void leave_pictures(const char *folder, const char *name, const ref_drawn *drawn, const uint8_t *levels, char note[400])
@@ -49,8 +39,8 @@ static void leave_pictures(const char *folder, const char *name, const ref_drawn
     int i;
     note[0] = 0;
     if (!rgb) return;
-    visible(rgb, drawn->levels, pixels, drawn->format);
-    visible(rgb + 3 * pixels, levels, pixels, drawn->format);
+    ref_visible(rgb, drawn->levels, pixels, drawn->format);
+    ref_visible(rgb + 3 * pixels, levels, pixels, drawn->format);
     oiio_amplify(rgb, rgb + 3 * pixels, drawn->width, drawn->height, 16, OIIO_OFFSET, rgb + 6 * pixels);
     for (i = 0; i < 3; i++) {
         char path[300];
