@@ -6,6 +6,8 @@
 # 1 is for what is exact or wanted, 2 for what is ours, the others for what is compared.
 
 data = ARG2
+height = int(ARG4)
+name = system(sprintf("basename '%s' .gp", ARG1))
 if (ARG3[strlen(ARG3)-3:] eq ".png") {
     set terminal pngcairo size 800,int(ARG4) font "DejaVu Sans,11" enhanced background rgb "white"
 } else {

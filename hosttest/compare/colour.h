@@ -17,6 +17,15 @@
 #define COMPARE_RB_HALF 0x02000200u /* half a level */
 #define COMPARE_G_HALF 0x01000000u
 
+/* Who wants to know what a frame is before it is rounded (hosttest/pareto) is told each pixel as it is packed, in levels of 31,
+ * 63 and 31. */
+#ifdef COMPARE_TAPPED
+void compare_tap(double red, double green, double blue);
+#define COMPARE_TAP(red, green, blue) compare_tap((red)-0.5, (green)-0.5, (blue)-0.5)
+#else
+#define COMPARE_TAP(red, green, blue) ((void)0)
+#endif
+
 /* Ambient and diffuse light, diffuse in 1/256 from 0 to 256: the guards stay clear (compare_look_prepare). */
 static COMPARE_INLINE void compare_diffuse(const compare_look *look, uint32_t diffuse, uint32_t *rb, uint32_t *g)
 {
@@ -40,6 +49,7 @@ static COMPARE_INLINE void compare_specular(const compare_look *look, uint32_t s
 /* What the guards hold does not matter. */
 static COMPARE_INLINE uint16_t compare_pack(uint32_t rb, uint32_t g)
 {
+    COMPARE_TAP((rb >> 16) / 1024.0, g / 33554432.0, (rb & 0xffffu) / 1024.0);
     return (uint16_t)((rb >> 15 & 0xf800u) | (g >> 20 & 0x7e0u) | (rb >> 10 & 31u));
 }
 
@@ -53,6 +63,7 @@ static COMPARE_INLINE uint32_t compare_ramp_sum(uint32_t a, uint32_t b)
 
 static COMPARE_INLINE uint16_t compare_ramp_pack(uint32_t c)
 {
+    COMPARE_TAP((c >> 10 & 0x3ffu) / 16.0, (c >> 20) / 32.0, (c & 0x3ffu) / 16.0);
     return (uint16_t)((c >> 3 & 0xf800u) | (c >> 20 & 0x7e0u) | (c >> 4 & 31u));
 }
 

@@ -33,6 +33,7 @@ COMPARE_APART void compare_fill_gouraud(const compare_span *span, uint16_t *pixe
     const uint32_t r_step = (uint32_t)span->step[0], g_step = (uint32_t)span->step[1], b_step = (uint32_t)span->step[2];
     uint16_t *end = pixel + length;
     do {
+        COMPARE_TAP(r / 134217728.0, g / 67108864.0, b / 134217728.0);
         *pixel++ = (uint16_t)((r >> 16 & 0xf800u) | (g >> 21 & 0x7e0u) | b >> 27);
         r += r_step;
         g += g_step;

@@ -13,5 +13,6 @@ void chart_close(FILE *file);
 void charts_lobes(const char *folder);     /* papers 000 and 003 */
 void charts_steps(const char *folder);     /* paper 001 */
 void charts_stability(const char *folder); /* where methods fail */
+void charts_pareto(const char *folder);    /* speed against accuracy, from report/pareto.csv beside the folder */
 
 #endif

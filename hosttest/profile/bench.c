@@ -26,11 +26,9 @@ static const struct {
     const char *name;
     enum lmb_model model;
     enum lmb_step_kind step;
-} models[] = {{"flat", LMB_MODEL_FLAT, LMB_STEP_QUADRATIC},
-              {"gouraud", LMB_MODEL_GOURAUD, LMB_STEP_QUADRATIC},
-              {"diffuse", LMB_MODEL_DIFFUSE, LMB_STEP_QUADRATIC},
-              {"gloss", LMB_MODEL_GLOSS, LMB_STEP_QUADRATIC},
-              {"gloss-arc", LMB_MODEL_GLOSS, LMB_STEP_ARC}};
+} models[] = {{"flat", LMB_MODEL_FLAT, LMB_STEP_QUADRATIC},       {"gouraud", LMB_MODEL_GOURAUD, LMB_STEP_QUADRATIC},
+              {"diffuse", LMB_MODEL_DIFFUSE, LMB_STEP_QUADRATIC}, {"gloss", LMB_MODEL_GLOSS, LMB_STEP_QUADRATIC},
+              {"gloss-arc", LMB_MODEL_GLOSS, LMB_STEP_ARC},       {"gloss-planned", LMB_MODEL_GLOSS, LMB_STEP_PLANNED}};
 #define MODELS (sizeof models / sizeof models[0])
 
 typedef struct counts {
@@ -49,23 +47,24 @@ static bool same(const char *a, const char *b)
 bool profile_chosen(const char *choice, const char *name) { return !*choice || same(choice, name); }
 
 /* Rows of a scene that memory holds behind its vertices. */
-static int rows_of(const scene *s)
+static int rows_of(const scene *s, enum lmb_format format)
 {
-    uint32_t row = (uint32_t)s->width * 2, used = row + s->object[0].mesh->vertices * (uint32_t)sizeof(lmb_vertex);
+    uint32_t row = (uint32_t)s->width * lmb_format_bytes(format),
+             used = row + s->object[0].mesh->vertices * (uint32_t)sizeof(lmb_vertex);
     int rows = 0;
     for (; used <= LMB_PROFILE_BYTES && rows < s->height; used += row) rows++;
     return rows;
 }
 
 /* A surface of the strip that begins at row top. Returns the row behind it. */
-static int strip(lmb_surface *surface, const scene *s, int rows, int top)
+static int strip(lmb_surface *surface, const scene *s, enum lmb_format format, int rows, int top)
 {
     int bottom = top + rows < s->height ? top + rows : s->height;
     uint16_t *pixels = profile_memory.pixels + s->object[0].mesh->vertices * sizeof(lmb_vertex) / 2;
 #if LMB_PROFILE_WHOLE
-    lmb_surface_strip(surface, LMB_RGB565, pixels, s->depth ? depth : NULL, s->width, top, bottom);
+    lmb_surface_strip(surface, format, pixels, s->depth ? depth : NULL, s->width, top, bottom);
 #else
-    lmb_surface_strip(surface, LMB_RGB565, pixels, NULL, s->width, top, bottom);
+    lmb_surface_strip(surface, format, pixels, NULL, s->width, top, bottom);
 #endif
     return bottom;
 }
@@ -76,10 +75,11 @@ static void count(counts *c, const scene *s, const lmb_paint *paint)
     const scene_object *o = &s->object[0];
     struct profile_work *w = &profile_work;
     lmb_surface surface;
-    int rows = rows_of(s), top, bottom;
+    const enum lmb_format format = (enum lmb_format)paint->format;
+    int rows = rows_of(s, format), top, bottom;
     c->pixels = c->spans = c->triangles = 0;
     for (top = 0; top < s->height; top = bottom) {
-        bottom = strip(&surface, s, rows, top);
+        bottom = strip(&surface, s, format, rows, top);
         lmb_mesh_begin(&w->walk, o->mesh, &o->pose, &s->camera, &paint->look, &surface.window, profile_memory.vertices, NULL);
         while (lmb_mesh_next(&w->walk, &w->triangle)) {
             c->triangles++;
@@ -99,16 +99,16 @@ static void say_count(const char *name, uint32_t n)
     profile_say_number(n);
 }
 
-static void say_scene(const scene *s, const char *model)
+static void say_scene(const scene *s, enum lmb_format format, const char *model)
 {
     profile_say("scene ");
     profile_say(s->name);
     profile_say(" ");
     profile_say(model);
-    profile_say(" rgb565 ");
+    profile_say(format == LMB_RGB565 ? " rgb565 " : " rgb888 ");
     profile_say_number(s->object[0].mesh->triangles);
     say_count("size", (uint32_t)s->width);
-    say_count("rows", (uint32_t)rows_of(s));
+    say_count("rows", (uint32_t)rows_of(s, format));
     profile_say_end();
 }
 
@@ -141,20 +141,20 @@ static bool prepare(const scene *s, unsigned model)
     return true;
 }
 
-static void draw(const scene *s, unsigned model)
+void profile_frame(const scene *s, const char *name)
 {
     const scene_object *o = &s->object[0];
+    const enum lmb_format format = (enum lmb_format)profile_work.paint.format;
     lmb_surface surface;
     uint32_t drawn = 0;
-    int rows = rows_of(s), top, bottom;
-    if (!prepare(s, model)) return;
-    say_scene(s, models[model].name);
-    strip(&surface, s, rows, 0);
+    int rows = rows_of(s, format), top, bottom;
+    say_scene(s, format, name);
+    strip(&surface, s, format, rows, 0);
     lmb_clear(&surface, s->background);
     profile_begin();
     lmb_mesh_project(o->mesh, &o->pose, &s->camera, profile_memory.vertices);
     for (top = 0; top < s->height; top = bottom) {
-        bottom = strip(&surface, s, rows, top);
+        bottom = strip(&surface, s, format, rows, top);
         drawn += lmb_draw_mesh(&surface, o->mesh, &o->pose, &s->camera, &profile_work.paint, profile_memory.vertices, NULL);
     }
     profile_end();
@@ -169,8 +169,8 @@ static void draw_compared(const scene *s, const compare_frame *frame)
     lmb_surface surface;
     uint32_t drawn;
     if (!prepare(s, MODELS - 1) || compare_look_prepare(&compared, &o->material, s->light)) return;
-    say_scene(s, frame->name);
-    strip(&surface, s, s->height, 0);
+    say_scene(s, LMB_RGB565, frame->name);
+    strip(&surface, s, LMB_RGB565, s->height, 0);
     lmb_clear(&surface, s->background);
     profile_begin();
     lmb_mesh_project(o->mesh, &o->pose, &s->camera, profile_memory.vertices);
@@ -181,9 +181,9 @@ static void draw_compared(const scene *s, const compare_frame *frame)
 #endif
 
 /* Strips of fewer rows would measure the setting up of triangles over and over. */
-static bool fits(const scene *s)
+static bool fits(const scene *s, enum lmb_format format)
 {
-    const int rows = PROFILE_FITS(s->object[0].mesh) ? rows_of(s) : 0;
+    const int rows = PROFILE_FITS(s->object[0].mesh) ? rows_of(s, format) : 0;
     return s->objects == 1 && (rows == s->height || rows >= 16) && (LMB_PROFILE_WHOLE || !s->depth);
 }
 
@@ -193,13 +193,18 @@ static bool figured(const char *name)
            same(name, "torus");
 }
 
+bool profile_measures(const scene *s, enum lmb_format format)
+{
+    return figured(s->name) && profile_chosen(profile_scene, s->name) && fits(s, format);
+}
+
 static bool scene_measured(const scene *s)
 {
     bool any = false;
     unsigned k;
     for (k = 0; k < MODELS; k++) {
-        if (profile_chosen(profile_model, models[k].name)) {
-            draw(s, k);
+        if (profile_chosen(profile_model, models[k].name) && prepare(s, k)) {
+            profile_frame(s, models[k].name);
             any = true;
         }
     }
@@ -221,7 +226,7 @@ static void say_choice(void)
     for (k = 0; k < scene_count(); k++) {
         scene *s = &profile_work.scene;
         scene_make(s, k);
-        if (!figured(s->name) || !fits(s)) continue;
+        if (!figured(s->name) || !fits(s, LMB_RGB565)) continue;
         profile_say(" ");
         profile_say(s->name);
     }
@@ -247,17 +252,18 @@ bool profile_frames(void)
     unsigned i;
     for (i = 0; i < scene_count(); i++) {
         scene_make(s, i);
-        if (figured(s->name) && profile_chosen(profile_scene, s->name) && fits(s)) any = scene_measured(s) || any;
+        if (profile_measures(s, LMB_RGB565)) any = scene_measured(s) || any;
     }
     return any;
 }
 
 int main(void)
 {
-    bool any = profile_part[0] && profile_part[0]();
+    bool any = false;
     unsigned i;
-    for (i = 1; i < PROFILE_PARTS; i++) {
-        if (profile_part[i] && profile_chosen(profile_scene, "kernels")) any = profile_part[i]() || any;
+    for (i = 0; i < PROFILE_PARTS; i++) {
+        const bool frames = i == PROFILE_FRAMES || i == PROFILE_SWEEP;
+        if (profile_part[i] && (frames || profile_chosen(profile_scene, "kernels"))) any = profile_part[i]() || any;
     }
     if (!any) say_choice();
     return 0;

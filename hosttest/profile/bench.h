@@ -13,7 +13,7 @@
 #define LMB_PROFILE_VERTICES 1200u /* most that a mesh here has */
 #ifndef LMB_PROFILE_BYTES
 #define LMB_PROFILE_BYTES                                                                                                        \
-    (240u * 240u * 2u + LMB_PROFILE_VERTICES * sizeof(lmb_vertex)) /* of memory for projected vertices and pixels */
+    (240u * 240u * 3u + LMB_PROFILE_VERTICES * sizeof(lmb_vertex)) /* of memory for projected vertices and pixels */
 #define LMB_PROFILE_WHOLE 1                                        /* that is enough for whole frames */
 #else
 #define LMB_PROFILE_WHOLE 0
@@ -66,14 +66,23 @@ extern union profile_memory {
     } compared;
 } profile_memory;
 
-/* bench.c, kernels.c, lobe_kernels.c, step_kernels.c; true if anything was measured. */
+/* Whether a scene is wanted and memory has room for it. */
+bool profile_measures(const scene *s, enum lmb_format format);
+
+/* Measures a frame of a scene with the paint of profile_work. */
+void profile_frame(const scene *s, const char *name);
+
+/* bench.c, kernels.c, lobe_kernels.c, step_kernels.c, sweep.c; true if anything was measured. */
 bool profile_frames(void);
 bool profile_kernels(void);
 bool profile_lobe_kernels(void);
 bool profile_step_kernels(void);
+bool profile_sweep(void);
 
-/* These four, NULL what this image does not hold. From select.c. */
-#define PROFILE_PARTS 4
+/* These five, NULL what this image does not hold. From select.c. */
+#define PROFILE_FRAMES 0
+#define PROFILE_SWEEP 4
+#define PROFILE_PARTS 5
 extern bool (*const profile_part[PROFILE_PARTS])(void);
 
 #endif

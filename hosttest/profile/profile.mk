@@ -63,7 +63,7 @@ profile_flags = $($1.profile_flags) $(if $(findstring SCENES,$($1.profile_flags)
 profile_listing = $($1.prefix)objdump -t -d -w -z $2.elf > $2.lst
 
 profile_compared = $(if $(findstring COMPARED=0,$($1.profile_flags)),,$(wildcard hosttest/compare/*.c))
-profile_objects = $(patsubst %.c,$(B)/firmware/$1/%.o,$(addprefix $(PROFILE)/,bench.c kernels.c lobe_kernels.c step_kernels.c mark.c) $(profile_compared))
+profile_objects = $(patsubst %.c,$(B)/firmware/$1/%.o,$(addprefix $(PROFILE)/,bench.c kernels.c lobe_kernels.c step_kernels.c sweep.c mark.c) hosttest/pareto/methods.c $(profile_compared))
 profile_tests = $(addprefix $(B)/firmware/$1/$(PROFILE)/,test_main.o mark.o \
     $(if $(filter arm-%,$($1.prefix)),test_thumb.o) $(if $(filter avr-,$($1.prefix)),test_avr.o))
 
@@ -106,6 +106,7 @@ $(call profile_objects,$1): $(PROFILE)/profile.mk
 $(B)/profile/$1/frames.elf: private SELECT = -DSELECT_PARTS=1
 $(B)/profile/$1/kernels.elf: private SELECT = -DSELECT_PARTS=2
 $(B)/profile/$1/methods.elf: private SELECT = -DSELECT_PARTS=12
+$(B)/profile/$1/sweep.elf: private SELECT = -DSELECT_PARTS=16
 $(B)/profile/$1/chosen.elf: private SELECT = -DSELECT_SCENE='"$$(SCENE)"' -DSELECT_MODEL='"$$(MODEL)"' \
     $(if $($1.profile_split),-DSELECT_PARTS=$$(if $$(filter kernels,$$(SCENE)),$$(if $$(filter lobe% step-%,$$(MODEL)),12,2),1))
 $(B)/profile/$1/chosen.elf: always
@@ -126,7 +127,7 @@ $(B)/profile/$1/%.out: $(B)/profile/$1/%.elf $(B)/profile/$(if $(filter avr-,$($
 	$$(Q)rm -f $$@
 	$$(Q)$$(call profile_execute,$1,$$(abspath $$(basename $$@)))
 
-$(B)/profile/$1/growth.elf: $(PROFILE)/growth.c port/demo/scenes.c $(B)/firmware/$1/$(PROFILE)/mark.o \
+$(B)/profile/$1/growth.elf: $(PROFILE)/growth.c $(PROFILE)/growth.h port/demo/scenes.c $(B)/firmware/$1/$(PROFILE)/mark.o \
     $(GROWTH:%=$(B)/firmware/$1/meshes/icosphere_%.o) $(filter-out %/scenes.o,$($1.support)) $(B)/firmware/$1/liblambent.a \
     $(call profile_ld,$1)
 	@mkdir -p $$(@D)

@@ -112,6 +112,7 @@ static void functions_set(program *p, symbol *s, uint32_t n)
         if (!s[i].function && s[i].start < end) continue;
         f->name = s[i].name;
         f->start = s[i].start;
+        f->size = s[i].size;
         f->mark = mark_of(s[i].name);
         p->function_count++;
         if (s[i].start + s[i].size > end) end = s[i].start + s[i].size;

@@ -47,8 +47,8 @@ typedef struct instruction {
 
 typedef struct function {
     const char *name;
-    uint32_t start;
-    uint8_t mark; /* enum mark */
+    uint32_t start, size; /* size: as the symbol says; 0 of labels */
+    uint8_t mark;         /* enum mark */
 } function;
 
 typedef struct program {

@@ -5,8 +5,13 @@
  *   report cycles FILE                     core,scene,model,format,triangles,pixels,instructions_per_pixel,cycles_per_pixel,
  *                                          cycles_min,cycles_max: of a whole frame, cycles per pixel; empty where not known
  *   report kernels FILE                    core,kernel,unit,instructions,cycles: of one unit
+ *   report frames FILE LISTING             core,scene,model,format,pixels,unit,cost,bytes: of a whole frame, cycles per pixel,
+ *                                          or instructions where no cycles are known; bytes: of all functions that it
+ *                                          executed, tables not among them, as the listing has their sizes
  *   report growth FILE                     core,axis,value,model,vertices,triangles,drawn,spans,pixels,strips,instructions,cycles: of
  *                                          a whole frame
+ *   report stages FILE                     core,case,drawn,instructions,cycles,project,sort,begin,walk,shade,fill: of a whole frame,
+ *                                          stages of port/host/costs.h, in cycles, or instructions where these are not known
  *
  * Fails if the file is not complete, if control went where it cannot go, or if an instruction was not in the cycle table.
  */
@@ -37,7 +42,12 @@ typedef struct at {
 } at;
 
 enum source { CYCLES_NONE, CYCLES_TABLE, CYCLES_TOLD };
-enum output { TABLE, CYCLES, KERNELS, GROWTH };
+enum output { TABLE, CYCLES, KERNELS, GROWTH, STAGES, FRAMES };
+
+/* Functions that stages of a frame begin with. */
+enum { PROJECT, SORT, DRAW, BEGIN, SHADE, FILL, STAGE_FUNCTIONS };
+static const char *const stage_functions[] = {"lmb_mesh_project", "lmb_mesh_sort",   "lmb_draw_mesh",
+                                              "lmb_mesh_begin",   "lmb_shade_begin", "lmb_fill_triangle"};
 
 static struct state {
     enum output output;
@@ -46,7 +56,8 @@ static struct state {
     char scene[NAME], model[NAME], format[16], kernel[NAME], unit[NAME];
     double triangles, size, rows;
     double pixels, spans, drawn, vertices; /* counted by the program */
-    figures total, kept;                   /* of the region; what a kernel has come to so far */
+    figures total, kept;                   /* of the region; what a kernel or a frame in strips has come to so far */
+    double stages[STAGE_FUNCTIONS];
     enum kernel { NO_KERNEL, WEIGHTED, MEAN, MOST } kind;
     double divisor, weight[WEIGHTS];
     int regions, weights;
@@ -228,6 +239,29 @@ static void csv_cycles(void)
     }
 }
 
+/* A name that several functions of the image share counts with the largest. */
+static double bytes_of(const program *listing, const char *name)
+{
+    uint32_t i, most = 0;
+    for (i = 0; i < listing->function_count; i++) {
+        const function *f = &listing->functions[i];
+        if (f->size > most && !strcmp(f->name, name)) most = f->size;
+    }
+    return most;
+}
+
+static void csv_frames(const program *listing)
+{
+    const bool cycles = s.source != CYCLES_NONE;
+    double bytes = 0;
+    size_t i;
+    for (i = 0; i < s.functions; i++) {
+        if (strncmp(s.rows_of[i].name, "profile_", 8)) bytes += bytes_of(listing, s.rows_of[i].name);
+    }
+    printf("%s,%s,%s,%s,%.0f,%s,%.3f,%.0f\n", s.core, s.scene, s.model, s.format, s.pixels,
+           cycles ? "cycles/pixel" : "instructions/pixel", (cycles ? s.total.nominal : s.total.instructions) / s.pixels, bytes);
+}
+
 /* Of a scene named AXIS-VALUE. */
 static void csv_growth(void)
 {
@@ -238,6 +272,37 @@ static void csv_growth(void)
            s.total.instructions);
     if (s.source != CYCLES_NONE) printf("%.0f", s.total.nominal);
     putchar('\n');
+}
+
+/* What a function took in this region, with what it calls. */
+static double taken_by(const char *name)
+{
+    size_t i;
+    for (i = 0; i < s.functions && strcmp(s.rows_of[i].name, name); i++) {}
+    if (i == s.functions) return 0;
+    return s.source == CYCLES_NONE ? s.rows_of[i].inclusive.instructions : s.rows_of[i].inclusive.nominal;
+}
+
+/* One more strip of a frame. */
+static void stages_add(void)
+{
+    int i;
+    for (i = 0; i < STAGE_FUNCTIONS; i++) s.stages[i] += taken_by(stage_functions[i]);
+    s.kept.instructions += s.total.instructions;
+    s.kept.nominal += s.total.nominal;
+}
+
+static void csv_stages(void)
+{
+    const double *t = s.stages, all = s.source == CYCLES_NONE ? s.kept.instructions : s.kept.nominal;
+    const double walk = t[DRAW] - t[BEGIN] - t[SHADE] - t[FILL];
+    printf("%s,%s,%.0f,%.0f,", s.core, s.scene, s.drawn, s.kept.instructions);
+    if (s.source != CYCLES_NONE) printf("%.0f", s.kept.nominal);
+    printf(",%.0f,%.0f,%.0f,%.0f,%.0f,%.0f\n", t[PROJECT], t[SORT], all - t[PROJECT] - t[SORT] - walk - t[SHADE] - t[FILL], walk,
+           t[SHADE], t[FILL]);
+    memset(&s.kept, 0, sizeof s.kept);
+    memset(s.stages, 0, sizeof s.stages);
+    s.any = true;
 }
 
 static void csv_kernel(double instructions, double cycles)
@@ -339,6 +404,7 @@ static void scene_done(const program *listing)
 {
     if (s.output == CYCLES) csv_cycles();
     if (s.output == GROWTH) csv_growth();
+    if (s.output == FRAMES) csv_frames(listing);
     if (s.output == TABLE) {
         print_head();
         print_totals();
@@ -357,6 +423,8 @@ static void read_note(const char *text, const program *listing)
     } else if (sscanf(text, "counts pixels %lf spans %lf triangles %lf vertices %lf", &s.pixels, &s.spans, &s.drawn,
                       &s.vertices) == 4) {
         scene_done(listing);
+    } else if (s.output == STAGES && sscanf(text, "drawn %lf", &s.drawn) == 1) {
+        csv_stages();
     } else if (!read_kernel(text)) {
         fprintf(stderr, "profile: the program says: %s\n", text);
         s.bad = true;
@@ -383,10 +451,9 @@ static void read_line(char *line, const program *listing)
         read_at(p);
     } else if (!strcmp(line, "region")) {
         read_figures(p, &s.total);
-        if (s.kind != NO_KERNEL) {
-            kernel_add();
-            s.functions = s.at_count = 0;
-        }
+        if (s.output == STAGES) stages_add();
+        if (s.kind != NO_KERNEL) kernel_add();
+        if (s.output == STAGES || s.kind != NO_KERNEL) { s.functions = s.at_count = 0; }
     } else if (!strcmp(line, "end")) {
         kernel_end();
         if (sscanf(p, "%lf %lf %lf", &regions, &violations, &unknown) != 3) profile_fail("cannot read: end %s", p);
@@ -402,17 +469,18 @@ static void read_line(char *line, const program *listing)
 
 int main(int argc, char **argv)
 {
-    static const char *const outputs[] = {"table", "cycles", "kernels", "growth"};
+    static const char *const outputs[] = {"table", "cycles", "kernels", "growth", "stages", "frames"};
     static char line[1000];
     int i;
     static program listing;
     FILE *f;
-    if (argc != 3 && argc != 5) profile_fail("usage: report table|cycles|kernels|growth FILE [FUNCTION LISTING]");
-    for (i = 0; i < 4; i++)
+    for (i = 0; i < 6 && argc > 1; i++)
         if (!strcmp(argv[1], outputs[i])) s.output = (enum output)i;
-    if (argc == 5) {
-        list_function = argv[3];
-        list_path = argv[4];
+    if (argc != (s.output == FRAMES ? 4 : 3) && (argc != 5 || s.output == FRAMES))
+        profile_fail("usage: report table|cycles|kernels|growth|stages FILE [FUNCTION LISTING], or report frames FILE LISTING");
+    if (argc == 5) list_function = argv[3];
+    if (argc > 3) {
+        list_path = argv[argc - 1];
         program_read(&listing, list_path);
     }
     if (!(f = fopen(argv[2], "r"))) profile_fail("cannot read %s", argv[2]);

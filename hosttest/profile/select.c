@@ -8,7 +8,7 @@
 #ifndef SELECT_MODEL
 #define SELECT_MODEL ""
 #endif
-/* 1: frames, 2: kernels, 4: lobes, 8: ways along a span. */
+/* 1: frames, 2: kernels, 4: lobes, 8: ways along a span, 16: frames of every fixed choice and tolerance. */
 #ifndef SELECT_PARTS
 #define SELECT_PARTS 15
 #endif
@@ -31,6 +31,11 @@ bool (*const profile_part[PROFILE_PARTS])(void) = {
 #endif
 #if SELECT_PARTS & 8 && LMB_PROFILE_STEPS
     profile_step_kernels,
+#else
+    NULL,
+#endif
+#if SELECT_PARTS & 16
+    profile_sweep,
 #else
     NULL,
 #endif
