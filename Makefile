@@ -37,11 +37,14 @@ DIGESTED = $(filter-out atmega328p m3-stm32vl reference,$(COMPARED))
 WEIGHABLE := $(filter-out host atmega328p,$(TARGETS))
 WEIGHED := $(if $(TARGET),$(filter $(TARGET),$(WEIGHABLE)),$(WEIGHABLE))
 STACKED := gloss-Os everything-Os gloss-O2 everything-O2
-PARTS := ARC CORNERS PERSPECTIVE DEPTH LARGE LOBES RGB565 RGB888 LIGHTS
+# What docs/CHOOSING.md weighs beside what every core does, and for which cores.
+CHOICES := gouraud arc planned rgb888
+CHOOSING := m0plus m4 rv32imc atmega1284p
+PARTS := ARC PLANS QUADRATIC GLOSS CORNERS GOURAUD PERSPECTIVE DEPTH LARGE LOBES RGB565 RGB888 LIGHTS
 
 .DEFAULT_GOAL := help
-.PHONY: help demo check deps report replicate stability time charts figures pictures size exhaustive tables check-tables tools models tests clean
-.PHONY: firmware run boards frames digests gate profile stack budgets
+.PHONY: help demo check deps report replicate stability time charts figures choosing pictures size exhaustive tables check-tables tools models tests clean
+.PHONY: pareto firmware run boards frames digests gate profile stack budgets
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -49,7 +52,7 @@ PARTS := ARC CORNERS PERSPECTIVE DEPTH LARGE LOBES RGB565 RGB888 LIGHTS
 help:
 	@echo "Lambent: glossy 3D on the displays of microcontrollers, with integers alone."
 	@echo
-	@sed -n 's/^## \([a-z-]*\): /  make \1|/p' Makefile | awk -F'|' '{ printf "%-22s %s\n", $$1, $$2 }'
+	@sed -n 's/^## \([a-z_-]*\): /  make \1|/p' Makefile | awk -F'|' '{ printf "%-22s %s\n", $$1, $$2 }'
 	@echo
 	@echo "  V=1 shows commands; CC, CFLAGS and B (the build folder, $(B)) are yours."
 
@@ -66,8 +69,8 @@ check: deps
 deps:
 	$(Q)hosttest/deps.sh
 
-## report: write build/report/*.csv: errors of lobes, arcs, spans and images; sizes, cycles, their growth; papers, stability
-REPORTS := lobe arc span image size cycles kernel_cycles growth papers stability
+## report: write build/report/*.csv: errors of lobes, arcs, spans, images; plans; sizes, cycles, growth, estimates; papers, stability, pareto
+REPORTS := lobe arc span image plan size cycles kernel_cycles growth growth_model estimate papers stability pareto
 report: $(REPORTS:%=$(B)/report/%.csv)
 
 ## replicate: what three papers claim beside what we measure, claim by claim; report/papers.csv, docs/REPLICATION.md
@@ -79,12 +82,20 @@ replicate: $(B)/bin/replicate $(B)/bin/stability $(B)/report/kernel_cycles.csv $
 stability: $(B)/bin/stability $(B)/report/stability.csv
 	$(Q)$(B)/bin/stability
 
+## pareto: speed against accuracy of every lobe, way along a span and frame, charted; report/pareto.csv, docs/charts/pareto-*
+pareto: $(B)/bin/chart_data $(B)/report/pareto.csv
+	$(Q)mkdir -p $(B)/charts
+	$(Q)$(B)/bin/chart_data $(B)/charts pareto
+	$(Q)hosttest/charts.sh $(B)/charts docs/charts $(basename $(notdir $(wildcard hosttest/charts/pareto-*.gp)))
+	$(Q)hosttest/pareto/page.sh $(B)/report/pareto.csv
+	$(Q)hosttest/test_pareto.sh $(B)/report/pareto.csv
+
 ## time: nanoseconds a pixel of the ways along a span, on this machine
 time: $(B)/bin/time_steps
 	$(Q)$(B)/bin/time_steps
 
 ## charts: draw docs/charts/*.svg and *.png anew from what we measure (needs gnuplot)
-charts: $(B)/bin/chart_data $(B)/report/kernel_cycles.csv
+charts: $(B)/bin/chart_data $(addprefix $(B)/report/,kernel_cycles.csv growth.csv growth_model.csv estimate.csv pareto.csv)
 	$(Q)mkdir -p $(B)/charts
 	$(Q)$(B)/bin/chart_data $(B)/charts
 	$(Q)hosttest/charts.sh $(B)/charts docs/charts
@@ -94,8 +105,20 @@ charts: $(B)/bin/chart_data $(B)/report/kernel_cycles.csv
 figures: report
 	$(Q)hosttest/figures.sh $(B)/report
 
+## choosing: write docs/CHOOSING.md's tables and pictures anew: model, step and lobe beside cycles, bytes and errors
+choosing: choosing-pictures $(patsubst %,$(B)/report/%.csv,cycles size kernel_cycles lobe image plan)
+	$(Q)hosttest/choosing.sh $(B)/report
+
+# Demo scenes by every choice beside the exact frame.
+PICTURED := icosphere-320-tight teapot
+.PHONY: choosing-pictures
+choosing-pictures: $(B)/bin/picture_choosing
+	$(Q)mkdir -p docs/pictures
+	$(Q)set -e; for s in $(PICTURED); do \
+	    hosttest/choosing_picture.sh $< $$s $(B)/choosing/$$s docs/pictures/choosing-$$s.png; done
+
 ## pictures: write docs/pictures/*.png and figure 3 of paper 001 anew from the demo scenes (needs oiiotool)
-pictures: demo $(B)/bin/picture_arc
+pictures: demo choosing-pictures $(B)/bin/picture_arc
 	$(Q)mkdir -p docs/pictures
 	$(Q)oiiotool $(addprefix $(B)/demo/,teapot-tight.bmp torus.bmp icosphere-1280-tight.bmp) --mosaic 3x1 \
 	    -o docs/pictures/gallery.png
@@ -139,6 +162,12 @@ size: $(WEIGHED:%=$(B)/size/%/size.txt) $(if $(filter m0plus,$(WEIGHED)),$(B)/si
 stack: $(WEIGHED:%=$(B)/size/%/stack.txt)
 	$(Q)[ -n "$(WEIGHED)" ] || { echo "stack: $(TARGET) is not followed"; exit 1; }; cat $^; ! grep -q "^FAIL" $^ /dev/null
 
+## estimate: lmb-estimate beside the profiler on frames that it was not fitted on; TARGET=..., FRAMES=list, MODELS=folder of yours
+## costs: measure, fit and write anew what lmb-estimate multiplies by: port/host/costs_table.h, flash_table.h; minutes
+## growth_tables: write the tables of docs/GROWTH.md anew
+## estimate_flash: two linked images beside the bytes of flash that lmb-estimate tells
+# All four: hosttest/estimate/estimate.mk.
+
 ## budgets: the figures of the last make report against hosttest/budgets.txt
 budgets:
 	$(Q)hosttest/budgets.sh $(B)/report hosttest/budgets.txt
@@ -158,8 +187,8 @@ check-tables: $(TABLES:%=$(B)/gen/gen_%)
 	    echo "pass table $$t: generated anew, identical" || \
 	    echo "FAIL table $$t: tables/$${t}_table.h is not what tables/gen_$$t.c writes; run make tables"; done
 
-## tools: build/bin/lmb-mesh and build/bin/lmb-render
-tools: $(B)/bin/lmb-mesh $(B)/bin/lmb-render
+## tools: build/bin/lmb-mesh, build/bin/lmb-render and build/bin/lmb-estimate
+tools: $(B)/bin/lmb-mesh $(B)/bin/lmb-render $(B)/bin/lmb-estimate
 
 ## models: build/models/*.obj, the demo's models to try lmb-render and lmb-mesh with
 models: $(B)/models/teapot.obj $(B)/models/torus.obj $(B)/models/icosphere.obj
@@ -168,7 +197,7 @@ models: $(B)/models/teapot.obj $(B)/models/torus.obj $(B)/models/icosphere.obj
 tests: $(TESTS:%=$(B)/bin/%)
 
 .PHONY: report_tools
-report_tools: $(B)/bin/report_lobe $(B)/bin/report_arc $(B)/bin/report_span $(B)/bin/report_image
+report_tools: $(B)/bin/report_lobe $(B)/bin/report_arc $(B)/bin/report_span $(B)/bin/report_image $(B)/bin/report_plan $(B)/bin/picture_choosing
 
 ## clean: remove build/
 clean:
@@ -240,7 +269,7 @@ $(B)/meshes/%.o: $(B)/meshes/%.c
 
 $(B)/bin/lmb-demo: $(B)/port/host/lmb_demo.o $(B)/port/host/bmp.o $(SCENES) $(B)/liblambent.a
 $(B)/bin/lmb-mesh: $(B)/port/host/lmb_mesh.o $(OBJ) $(B)/liblambent.a
-$(B)/bin/lmb-render: $(B)/port/host/lmb_render.o $(B)/port/host/bmp.o $(OBJ) $(B)/liblambent.a
+$(B)/bin/lmb-render: $(B)/port/host/lmb_render.o $(B)/port/host/view.o $(B)/port/host/bmp.o $(OBJ) $(B)/liblambent.a
 $(B)/bin/lmb-demo $(B)/bin/lmb-mesh $(B)/bin/lmb-render:
 	@mkdir -p $(@D)
 	$(Q)$(LINK)
@@ -322,6 +351,7 @@ $(B)/bin/avr-run: $(B)/hosttest/avr_run.o
 	$(Q)$(LINK) -lsimavr
 
 include hosttest/profile/profile.mk
+include hosttest/estimate/estimate.mk
 
 # --------------------------------------------------------------------------------------------------------------- sizes and stacks
 
@@ -335,7 +365,7 @@ $$(B)/size/$1/%/whole.elf: $$(WEIGHED_FILES) port/targets.mk
 $$(B)/size/$1/%/marked.elf: $$(B)/size/$1/%/whole.elf $$(B)/meshes/icosphere_320.c $$(wildcard hosttest/stack*) $$($1.sources) $$($1.ld)
 	$$(Q)hosttest/stack_image.sh $$(@D) "$$($1.prefix)" "$$(filter-out -DLMB_LOOPS=1,$$($1.flags))" "$$($1.link)" $$(B)/meshes/icosphere_320.c $$($1.sources)
 
-$$(B)/size/$1/size.txt: hosttest/size.sh $$(wildcard hosttest/stack.*) $$(foreach c,empty flat diffuse gloss everything,$$(B)/size/$1/$$c-Os/whole.elf)
+$$(B)/size/$1/size.txt: hosttest/size.sh $$(wildcard hosttest/stack.*) $$(foreach c,empty flat diffuse gloss everything $$(if $$(filter $1,$$(CHOOSING)),$$(CHOICES)),$$(B)/size/$1/$$c-Os/whole.elf)
 	$$(Q)hosttest/size.sh table $1 "$$($1.prefix)" $$(@D) > $$@
 
 $$(B)/size/$1/size.csv: $$(B)/size/$1/size.txt
@@ -370,8 +400,9 @@ REFERENCE := $(patsubst %.c,$(B)/%.o,$(wildcard hosttest/reference*.c))
 
 $(B)/bin/test_meshes: $(MESHES:%=$(B)/meshes/%.o)
 $(B)/bin/test_raster $(B)/bin/test_rows $(B)/bin/test_seam $(B)/bin/test_terms: $(B)/hosttest/shapes.o
+$(B)/bin/report_plan: $(SCENES)
+$(B)/bin/test_squares: $(B)/hosttest/estimate/squares.o
 $(B)/bin/test_obj: $(B)/port/host/polygon.o $(B)/port/host/mesh_build.o
-$(B)/bin/report_image: $(SCENES) $(REFERENCE)
 $(B)/bin/test_compare: $(patsubst %.c,$(B)/%.o,$(wildcard hosttest/compare/*.c)) $(SCENES) $(REFERENCE)
 
 # The papers, method by method: definitions in double, integer forms of comparisons, sweeps, claims and charts.
@@ -386,12 +417,15 @@ $(PAPER_PROGRAMS:%=$(B)/bin/%) $(B)/bin/time_steps: $(PAPERS) $(B)/liblambent.a
 $(patsubst %,$(B)/bin/%,$(filter test_papers%,$(TESTS))): $(PAPERS)
 $(B)/bin/test_rotation: $(B)/hosttest/papers/rotation.o
 $(B)/bin/report_lobe $(B)/bin/report_arc: $(PAPERS)
+include hosttest/pareto/pareto.mk
 
-$(B)/bin/picture_arc: $(B)/hosttest/picture_arc.o $(SCENES) $(REFERENCE) $(B)/liblambent.a
+$(B)/bin/picture_%: $(B)/hosttest/picture_%.o $(SCENES) $(REFERENCE) $(B)/liblambent.a
 	@mkdir -p $(@D)
 	$(Q)$(LINK)
 
-$(B)/bin/test_image: $(B)/hosttest/test_image.o $(B)/hosttest/oiio.o $(SCENES) $(REFERENCE) $(B)/liblambent.a
+# What judges whole frames, with OpenImageIO.
+JUDGES := test_image test_exact report_image
+$(JUDGES:%=$(B)/bin/%): $(B)/bin/%: $(B)/hosttest/%.o $(B)/hosttest/oiio.o $(B)/hosttest/seen.o $(SCENES) $(REFERENCE) $(B)/liblambent.a
 	@mkdir -p $(@D)
 	$(Q)$(CXX) $(CXXFLAGS_ALL) $(CFLAGS) $(filter %.o,$^) $(filter %.a,$^) -o $@ $(LDFLAGS) $$(pkg-config --libs OpenImageIO) -lm
 
@@ -399,7 +433,7 @@ $(B)/bin/test_%: $(B)/hosttest/test_%.o $(B)/liblambent.a
 	@mkdir -p $(@D)
 	$(Q)$(LINK)
 
-$(patsubst %,$(B)/report/%.csv,lobe arc span image): $(B)/report/%.csv: $(B)/bin/report_%
+$(patsubst %,$(B)/report/%.csv,lobe arc span image plan): $(B)/report/%.csv: $(B)/bin/report_%
 	@mkdir -p $(@D)
 	@echo $@
 	$(Q)$< > $@

@@ -7,7 +7,7 @@ here=$(dirname "$0")/charts data=$1 out=$2
 shift 2
 command -v gnuplot >/dev/null || { echo "charts: gnuplot is missing; make deps installs it"; exit 1; }
 mkdir -p "$out"
-[ $# -gt 0 ] || set -- $(cd "$here" && ls ./*.gp | sed 's/^\.\///; s/\.gp$//; /^style$/d; /^maps/d')
+[ $# -gt 0 ] || set -- $(cd "$here" && ls ./*.gp | sed 's/^\.\///; s/\.gp$//; /^style$/d; /^maps/d; /^panels$/d; /^growth$/d')
 for name; do
     [ -f "$here/$name.gp" ] || { echo "charts: there is no $name; hosttest/charts/*.gp has them"; exit 1; }
     height=$(sed -n 's/^# height: //p' "$here/$name.gp")

@@ -88,6 +88,13 @@ run lmb-mesh hosttest/test_obj.sh "$build/gcc/bin/lmb-mesh" gcc
 show lmb-mesh
 run lmb-render hosttest/test_render.sh "$build/gcc/bin/lmb-render"
 show lmb-render
+build gcc gcc "" "" models "$build/gcc/bin/estimate_judge"
+run lmb-estimate hosttest/test_estimate.sh "$build/gcc/bin/lmb-estimate" "$build/gcc/models/torus.obj"
+show lmb-estimate
+
+say "plans of a million triangles"
+run million "$build/gcc/bin/test_plan" 2 1000000
+show million
 
 say "README example"
 run readme hosttest/test_readme.sh "$build/gcc" gcc
@@ -132,7 +139,9 @@ if build sanitized gcc "-O1 -fsanitize=address,undefined -fno-sanitize-recover=a
     suite sanitized
     run sanitized-lmb-mesh hosttest/test_obj.sh "$build/sanitized/bin/lmb-mesh" gcc
     run sanitized-lmb-render hosttest/test_render.sh "$build/sanitized/bin/lmb-render"
-    show sanitized-lmb-mesh sanitized-lmb-render
+    build sanitized gcc "-O1 -fsanitize=address,undefined -fno-sanitize-recover=all" "-fsanitize=address,undefined" models
+    run sanitized-lmb-estimate hosttest/test_estimate.sh "$build/sanitized/bin/lmb-estimate" "$build/sanitized/models/torus.obj"
+    show sanitized-lmb-mesh sanitized-lmb-render sanitized-lmb-estimate
 fi
 
 say "no division, no square root, no float"
@@ -178,11 +187,11 @@ show profiler
 
 say "reports and the README's figures"
 mkdir -p "$build/report"
-for t in lobe arc span image; do
+for t in lobe arc span image plan; do
     "$build/gcc/bin/report_$t" >"$build/report/$t.csv" 2>"$log/report"
     verdict $? "report" "$t.csv, $(wc -l <"$build/report/$t.csv") lines" "$log/report"
 done
-for t in size cycles kernel_cycles growth; do
+for t in size cycles kernel_cycles growth growth_model estimate pareto; do
     $MAKE -s -j2 B="$build/targets" CC=gcc CFLAGS="$strict" "$build/targets/report/$t.csv" >"$log/report" 2>&1 &&
         cp "$build/targets/report/$t.csv" "$build/report"
     verdict $? "report" "$t.csv, $(grep -c , "$build/report/$t.csv") lines" "$log/report"
@@ -193,7 +202,17 @@ verdict $? "report" "papers.csv, $(grep -c , "$build/report/papers.csv") lines" 
 "$build/gcc/bin/stability" --csv >"$build/report/stability.csv" 2>"$log/report"
 verdict $? "report" "stability.csv, $(grep -c , "$build/report/stability.csv") lines" "$log/report"
 hosttest/replicate.sh "$build/gcc/bin" "$build/report" --check 2>&1 | lines
+hosttest/choosing.sh "$build/report" --check 2>&1 | lines
+hosttest/test_choosing.sh "$build/gcc" gcc 2>&1 | lines
+hosttest/test_pareto.sh "$build/report/pareto.csv" >"$log/pareto" 2>&1
+lines <"$log/pareto"
+grep -a '^  missed' "$log/pareto"
+hosttest/pareto/page.sh "$build/report/pareto.csv" --check 2>&1 | lines
 hosttest/test_charts.sh "$build/gcc/bin/chart_data" "$build/charts" 2>&1 | lines
+say "estimates beside the profiler, and the bytes that go with them"
+on_targets estimate
+hosttest/estimate/growth.sh "$build/gcc/bin/estimate_judge" "$build/report" --check 2>&1 | lines
+on_targets estimate_flash
 
 say "budgets"
 hosttest/test_budgets.sh 2>&1 | lines

@@ -24,10 +24,7 @@ for table in $(sed -n 's/^<!-- \(claims [0-9]*\|lobes\|steps\|stability\): begin
         esac
         echo "<!-- $name: end -->"
     } >"$work/block" || exit 1
-    awk -v block="$work/block" -v name="$name" '
-        index($0, "<!-- " name ": begin") { while ((getline line <block) > 0) print line; skip = 1; next }
-        !skip
-        index($0, "<!-- " name ": end") { skip = 0 }' "$work/page" >"$work/next"
+    awk -v block="$work/block" -v name="$name" -f hosttest/block.awk "$work/page" >"$work/next"
     if [ "$mode" = --check ]; then
         if cmp -s "$work/page" "$work/next"; then
             echo "pass replication $name: $(grep -c '^| ' "$work/block") lines, as the commands print them"

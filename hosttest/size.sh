@@ -5,6 +5,7 @@
 # usage: size.sh table TARGET PREFIX FOLDER       figures and largest functions
 #        size.sh csv TARGET PREFIX FOLDER         core,configuration,text,rodata,data,bss,stack
 #        size.sh parts TARGET PREFIX FOLDER       what leaving a part out of everything saves, and the largest of gloss
+#        size.sh flash TARGET PREFIX FOLDER IMAGE  bytes of flash of one image, such as gloss-O2
 # FOLDER holds the images: FOLDER/gloss-Os/size.elf
 set -u
 cd "$(dirname "$0")/.." || exit 2
@@ -21,9 +22,9 @@ sections() {
         }'
 }
 
-# beyond CONFIGURATION: the same, less those of the empty program.
+# beyond CONFIGURATION [OPTIMISATION]: the same, less those of the empty program.
 beyond() {
-    echo "$(sections "$folder/$1-Os/size.elf") $(sections "$folder/empty-Os/size.elf")" |
+    echo "$(sections "$folder/$1-${2:-Os}/size.elf") $(sections "$folder/empty-${2:-Os}/size.elf")" |
         awk 'NF != 8 { exit 1 } { print $1 - $5, $2 - $6, $3 - $7, $4 - $8 }'
 }
 
@@ -40,13 +41,20 @@ row() {
     bytes=$(beyond "$1") || { echo "size: no figures from $folder/$1-Os/size.elf" >&2; exit 1; }
     echo "$bytes $(hosttest/stack.sh figure "$prefix" "$folder/$1-Os" lmb_draw_mesh)"
 }
-flash() { beyond "$1" | awk '{ print $1 + $2 + $3 } END { exit NR != 1 }' || echo "size: no figures from $folder/$1-Os/size.elf" >&2; }
+# configurations: those that are weighed here, of which some cores have more.
+configurations() {
+    for c in flat gouraud diffuse gloss arc planned rgb888 everything; do
+        case $c in gouraud | arc | planned | rgb888) [ -e "$folder/$c-Os/size.elf" ] || continue ;; esac
+        echo $c
+    done
+}
+flash() { beyond "$@" | awk '{ print $1 + $2 + $3 } END { exit NR != 1 }' || echo "size: no figures from $folder/$1-${2:-Os}/size.elf" >&2; }
 
 case $mode in
 table)
     echo "$target: $("${prefix}gcc" --version | head -n 1), -Os, sections collected, bytes beyond an empty program"
     echo "                 text  rodata    data     bss   stack   paint   largest"
-    for c in flat diffuse gloss everything; do
+    for c in $(configurations); do
         figures=$(row $c) || exit 1
         # shellcheck disable=SC2086
         printf '  %-10s  %7d %7d %7d %7d %7s %7s   %s\n' $c $figures "$(paint $c)" \
@@ -54,7 +62,7 @@ table)
     done
     ;;
 csv)
-    for c in flat diffuse gloss everything; do
+    for c in $(configurations); do
         figures=$(row $c) || exit 1
         echo "$target,$c,$figures" | tr ' ' ','
     done
@@ -70,5 +78,6 @@ parts)
     echo "Largest functions and tables of gloss on $target:"
     largest "$folder/gloss-Os/size.elf" 24 | awk '{ printf "  %6d  %s\n", $1, $2 }'
     ;;
+flash) flash "${5%-*}" "${5##*-}" ;;
 *) echo "size.sh: no mode $mode"; exit 2 ;;
 esac

@@ -21,7 +21,7 @@ for doc in README.md CONTRIBUTING.md docs/*.md; do
         [ -e "$(dirname "$doc")/$path" ] || missing="$missing $path"
     done
     for target in $(grep -oE '`make [a-z-]+' "$doc" | sed 's/`make //' | sort -u); do
-        grep -q "^$target:" Makefile hosttest/profile/profile.mk || missing="$missing make:$target"
+        grep -q "^$target:" Makefile hosttest/profile/profile.mk hosttest/estimate/estimate.mk || missing="$missing make:$target"
     done
     if [ -z "$missing" ]; then echo "pass docs $doc: what it names is there"; else echo "FAIL docs $doc: names what is not there:$missing"; fi
 done

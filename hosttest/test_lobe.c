@@ -213,6 +213,30 @@ static void test_published(void)
     test_verdict(horizon == 0, "lobe: W_m is 0 at the horizon for n >= m", "largest value %.0f", horizon);
 }
 
+/* No W_m is nearer than the tuned lobe of as many multiplications or fewer, but for a rounding. */
+static void test_tuned_against_published(void)
+{
+    double worst = -1;
+    unsigned worst_n = 0, worst_m = 0;
+    for (unsigned n = 1; n <= ALL_N; n += n < 32 ? 1 : 11) {
+        lmb_lobe lobes[MOST_LOBES], published;
+        double error[MOST_LOBES];
+        int count = tuned_lobes(n, lobes);
+        for (int i = 0; i < count; i++) error[i] = sweep_lobe(&lobes[i]).truth;
+        for (unsigned k = 1; k <= 4; k++) {
+            double best = 1, than;
+            if (lmb_lobe_prepare(&published, (enum lmb_lobe_kind)k, n, 0)) abort();
+            for (int i = 0; i < count; i++) {
+                if (lobes[i].multiplications <= k) best = fmin(best, error[i]);
+            }
+            than = best - sweep_lobe(&published).truth;
+            if (than > worst) worst = than, worst_n = n, worst_m = 1u << k;
+        }
+    }
+    test_verdict(worst <= 1.0 / 32768, "lobe: no W_m is nearer than a tuned one of no more multiplications",
+                 "at most by %.7f, at n = %u, m = %u", worst, worst_n, worst_m);
+}
+
 /* alpha - slope * v, for any v. */
 static void test_argument(test_random *random)
 {
@@ -319,6 +343,7 @@ int main(int argc, char **argv)
     test_angles();
     test_exact();
     test_published();
+    test_tuned_against_published();
     test_argument(&random);
     test_choice();
     test_power(&random);
