@@ -23,7 +23,7 @@
 
 #define BEND_MAX_Q28 0x4700000 /* 0.277: 77 degrees */
 #define NEVER INT32_MAX
-#define LOBE_BEST_UQ16 65 /* LMB_LOBE_MAX_ERROR */
+#define LOBE_BEST_UQ16 69 /* what the best ones promise, over all n: just above LMB_LOBE_MAX_ERROR */
 
 /* An error over a strength, UQ0.16, at most one. */
 static uint32_t share_q16(int32_t error_q16, int32_t strength_q15)

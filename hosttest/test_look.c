@@ -17,7 +17,7 @@ static void test_look_errors(void)
         {2, 3, 2, 1, {0, 0, -16384}, LMB_OK}, /* from behind: the half vector vanishes */
         {1, 3, 2, 1, {0, 17100, 0}, LMB_OK},           {1, 3, 2, 1, {-15660, 0, 0}, LMB_OK},
         {0, 3, 0, 1, {0, 0, 16384}, LMB_ERROR_LIGHTS}, {LMB_LIGHTS + 1, 3, 0, 1, {0, 0, 16384}, LMB_ERROR_LIGHTS},
-        {1, 4, 0, 1, {0, 0, 16384}, LMB_ERROR_VALUE},  {1, 3, 3, 1, {0, 0, 16384}, LMB_ERROR_VALUE},
+        {1, 4, 0, 1, {0, 0, 16384}, LMB_ERROR_VALUE},  {1, 3, 4, 1, {0, 0, 16384}, LMB_ERROR_VALUE},
         {1, 3, 0, 0, {0, 0, 16384}, LMB_ERROR_VALUE},  {1, 3, 0, LMB_SHININESS_MAX + 1, {0, 0, 16384}, LMB_ERROR_VALUE},
         {2, 3, 0, 1, {0, 0, 0}, LMB_ERROR_VALUE},      {2, 3, 0, 1, {0, 17300, 0}, LMB_ERROR_VALUE},
         {4, 3, 0, 1, {0, 0, -15460}, LMB_ERROR_VALUE}, {3, 3, 0, 1, {32767, 32767, 32767}, LMB_ERROR_VALUE},

@@ -374,11 +374,88 @@ static void test_regressions(void)
     test_verdict(worst.share <= 1, "plan_regressions", "%u cases: error %.5f of %.5f allowed", i, worst.error, worst.allowed);
 }
 
+/* ------------------------------------------------------------------------------------------------------------------- the rules */
+
+/* The largest p up to 77 degrees at which a bound is within e: strengths times A sqrt(n) p^(3/2) + B n p^2. */
+static double bend_within(double a, double b, double e)
+{
+    double low = 0, high = 0.2773;
+    int i;
+    for (i = 0; i < 60; i++) {
+        const double p = (low + high) / 2;
+        if (a * pow(p, 1.5) + b * p * p <= e) low = p;
+        if (a * pow(p, 1.5) + b * p * p > e) high = p;
+    }
+    return low;
+}
+
+typedef struct limits {
+    double straight, gloss_straight, curved, gloss_curved;
+    bool close; /* two bends that the rules compare are nearly the same */
+} limits;
+
+/* What docs/NUMERICS.md, Plans, has, in double, of a look with lobes and one light or several; as it says, exact. */
+static limits limits_of(const setting *s, const plan_case *c)
+{
+    const double n = c->shininess, kd = s->kd, ks = s->ks;
+    const double e = floor(c->tolerance / (c->lights == 1 ? 1.0 : c->lights == 2 ? 2 : 4)) / 65536, h = e / fmax(ks, 1e-9);
+    const double a = n < 2 ? 0.372 : n < 4 ? 0.264 : n < 16 ? 0.242 : 0.228, b = n < 2 ? 0.22 : n <= 16 ? 0.51 : 0.595;
+    const double rho = h >= 1 ? 0 : n < 4 || h > 0.1526 ? 1 : 6 * h + 0.04;
+    const double lobe = s->look.lobe.error_uq16 > 69 ? s->look.lobe.error_uq16 / 65536.0 * ks : 0;
+    const double left = fmax(e - lobe, 0), gloss = e * (1 - rho / 2), straight = fmax(left - rho * gloss, 0);
+    const double ad = kd * 0.372, bd = kd * 0.22, ag = ks * a * sqrt(n), bg = ks * b * n;
+    const double alone = bend_within(ag, bg, gloss);
+    const double together = fmin(bend_within(ad + ag, bd + bg, left + e), bend_within(ad + rho * ag, bd + rho * bg, left));
+    limits to;
+    to.straight = 0.6875 * fmin(straight / fmax(kd, 1e-9), 1);
+    to.gloss_straight = fmin(0.6875 * fmin(gloss / fmax(ks, 1e-9), 1) / n, bend_within(ad, bd, straight));
+    to.curved = bend_within(ad, bd, left);
+    to.close = fabs(together / fmax(to.straight, 1e-9) - 1) < 0.05;
+    to.gloss_curved = together > to.straight ? together : fmin(together, alone);
+    if (together > to.straight) to.straight = fmin(to.straight, alone);
+    return to;
+}
+
+/* got is never above want by more than rounding. */
+static void limit_judge(double *above, int32_t got_q28, double want)
+{
+    const double got = got_q28 / 268435456.0;
+    *above = fmax(*above, (got - want) / (want + 2e-6));
+}
+
+static void test_limits(test_random *r)
+{
+    double above = 0;
+    int i, k, judged = 0;
+    for (i = 0; i < 60000; i++) {
+        const plan_case c = random_case(r, 10);
+        const struct lmb_look_light *light;
+        setting s;
+        limits want;
+        prepare(&s, &c);
+        if (c.tolerance < 400 || s.look.lobe.error_uq16 > 69)
+            continue; /* smaller ones are rounded more, as parts of themselves */
+        want = limits_of(&s, &c);
+        if (want.close) continue;
+        judged++;
+        for (k = 0; k < (int)c.lights; k++) {
+            light = &s.look.light[k];
+            limit_judge(&above, light->straight_q28, want.straight);
+            limit_judge(&above, light->plan.gloss_straight_q28, want.gloss_straight);
+            limit_judge(&above, light->plan.curved_q28, want.curved);
+            limit_judge(&above, light->plan.gloss_curved_q28, want.gloss_curved);
+        }
+    }
+    test_verdict(above < 0.03 && judged > 1000, "plan_limits", "%d looks: bends up to %.2f %% above those of the rules", judged,
+                 100 * above);
+}
+
 int main(int argc, char **argv)
 {
     test_random r = test_seed(argc, argv);
     const int triangles = argc > 2 ? atoi(argv[2]) : 100000;
     double degrees;
+    test_limits(&r);
     test_regressions();
     for (degrees = 0.1; degrees < 180; degrees *= 1.9) test_drawn(&r, degrees, triangles / 12);
     return test_end();
