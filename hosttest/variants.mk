@@ -22,7 +22,7 @@ host-big-endian.run = qemu-ppc $(1)
 $(foreach t,m0plus m4 m55 rv32imc lx106,$(foreach o,-Os -O3,$(call variant,$t$o,$t)$(eval $t$o.flags += $o)))
 
 # Address spaces get lost in optimisers: tables in flash at another level. With one loop for all, code leaves room for larger meshes.
-$(foreach o,-Os -O2,$(call variant,atmega1284p$o,atmega1284p)$(eval atmega1284p$o.flags += $o -ULMB_LOOPS -DLMB_LOOPS=0))
+$(foreach o,-Os -O2,$(call variant,atmega1284p$o,atmega1284p)$(eval atmega1284p$o.flags += $o -ULMB_LOOPS -DLMB_LOOPS=0 -mrelax))
 atmega1284p-Os.scenes := torus teapot
 atmega1284p-Os.without := the image with all loops draws spheres
 atmega1284p-O2.scenes := icosphere-128
